@@ -1,9 +1,9 @@
-// Wishes of the surface inside a cell for the cell's vertex: the quadric of its faces, and the creases in it.
+// Measures what the surface in a cell asks of the cell's vertex: the quadric of its faces, and the creases in it.
 //
-// A quadric sums square distances from planes and lines. Its minimum is a corner where a cell has one, a point of the
-// crease where it has a crease, and free along the surface elsewhere. The sharp edges in a cell tell whether its
-// triangles should meet a crease. Small groups of such cells are those of coarse, curved surfaces and do not count.
-// Source: M. Garland and P. Heckbert, Surface simplification using quadric error metrics, 1997.
+// A quadric sums square distances from planes and lines. Its minimum is the corner of a cell that has one, and a point
+// of the crease in a cell that has a crease; elsewhere it is free along the surface. The sharp edges in a cell tell
+// whether its triangles should meet a crease. Small groups of such cells do not count, because coarse, curved surfaces
+// have them. Source: M. Garland and P. Heckbert, Surface simplification using quadric error metrics, 1997.
 
 #include "cell_quadrics.hpp"
 
@@ -57,7 +57,7 @@ IdVector<GeneratorId, Quadric> compute_cell_quadrics(const Mesh& mesh, const Dia
 
 namespace {
 
-/// The parts of a crease have one direction if this share of their length is along it.
+/// The parts of a crease have a common direction if this fraction of their length is along it.
 constexpr double kLeastAlignment = 0.9;
 
 /// Sums over the parts of edges in a cell.
@@ -106,7 +106,7 @@ bool is_on_crease(const Mesh& mesh, const SurfacePoint& point) {
   return false;
 }
 
-/// Takes small groups of neighbouring cells out.
+/// Clears the creases of small groups of neighbouring cells.
 void keep_large_groups(const Mesh& remesh, IdVector<GeneratorId, char>& chosen) {
   UnionFind groups(chosen.size());
   const auto is_chosen = [&](VertexId v) { return chosen[GeneratorId(v.value())] != 0; };

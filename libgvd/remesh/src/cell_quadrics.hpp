@@ -26,36 +26,37 @@ struct Quadric {
     matrix += weight * across;
     vector += weight * across * through;
   }
-  /// The least offset among those with the least sum. Directions in which the sum hardly changes are left out: those of
-  /// eigenvalues below `truncation` times the largest one. Zero for an empty sum.
+  /// The least offset among those with the least sum. Directions in which the sum hardly changes, with eigenvalues
+  /// below `truncation` times the largest one, are left out. Zero for an empty sum.
   Vec3 minimize(double truncation) const;
 };
 
-/// The quadrics of all cells, with offsets from their generators. Planes of faces weigh by their areas in the cell.
-/// Lines of boundary edges weigh by their lengths in the cell times the square root of the cell's area. Cost: O(n).
+/// The quadrics of all cells, with offsets from their generators. The plane of a face has the weight of its area in the
+/// cell. The line of a boundary edge has the weight of its length in the cell times the square root of the cell's area.
+/// Cost: O(n).
 IdVector<GeneratorId, Quadric> compute_cell_quadrics(const Mesh& mesh, const Diagram& diagram);
 
 /// An edge is sharp where the normals of its two faces differ by more than this, degrees.
 inline constexpr double kSharpAngle = 40;
 
-/// A cell has a crease if its sharp edges carry at least this share of its bending. Bending is the sum of lengths times
-/// angles between normals, over the parts of edges in the cell. On creases of CAD models the share is nearly 1. Noise
-/// and folds have sharp edges between others that bend as well.
+/// A cell has a crease if its sharp edges carry at least this fraction of its bending, which is the sum of lengths
+/// times angles between normals over the parts of edges in the cell. On creases of CAD models the fraction is nearly 1.
+/// In noise and folds, the edges beside the sharp ones bend as well.
 inline constexpr double kLeastBendingShare = 0.7;
 
-/// Creases go on: smaller groups of neighbouring cells with sharp edges are those of coarse, curved surfaces. Measured
-/// with 2000 generators: at most 4 on the elephant and 2 on spot, and 391 on the fandisk. Among few generators an
-/// eighth of them is enough.
+/// A crease runs through many cells. A smaller group of neighbouring cells with sharp edges is a coarse, curved
+/// surface: with 2000 generators, such groups have at most 4 cells on the elephant and 2 on spot, and the creases of
+/// the fandisk have 391. If there are few generators, an eighth of them is enough.
 inline constexpr std::int64_t kLeastCreaseCells = 12;
 
-/// The wishes of the sharp edges and of the boundary for the vertex of a cell.
+/// The demands of the sharp edges and of the boundary in a cell on the cell's vertex.
 struct CreaseCell {
   bool is_creased = false;        ///< its triangles should meet a crease, or the boundary while the generator is off it
   Vec3 direction = Vec3::Zero();  ///< unit, along the crease; zero where there is none, or where several meet
   bool is_met = false;            ///< the generator is on a crease: its vertex leaves it for no angle
 };
 
-/// The crease cells among all cells. `remesh`: has its vertices at the generators. Cost: O(n log n).
+/// The creases of all cells. `remesh` has its vertices at the generators. Cost: O(n log n).
 IdVector<GeneratorId, CreaseCell> find_crease_cells(const Mesh& surface, const Diagram& diagram, const Mesh& remesh);
 
 }  // namespace gvd

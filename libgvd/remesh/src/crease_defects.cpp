@@ -1,11 +1,11 @@
 // Defects of the dual at creases, and the generators that bring its edges back to them.
 //
-// The label intervals of its edges, joined, give the labels of a curve by length from its first vertex. Along each
-// curve, every part between two consecutive generators has to belong to their two cells. A part that belongs to another
-// cell is a defect, and takes a generator. Opposite generators of two parallel curves do not disturb each other,
-// however close the curves are. Two curves that leave a corner at an acute angle would disturb each other without end,
-// unless their generators are equally far from the corner. Powers of two achieve that.
-// Source: J. Ruppert, A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
+// The joined label intervals of a curve's edges give the labels along the curve, by length from its first vertex. Along
+// each curve, every part between two consecutive generators has to belong to their two cells. A part that belongs to
+// another cell is a defect, and takes a generator. Opposite generators of two parallel curves do not disturb each
+// other, however close the curves are. Two curves that leave a corner at an acute angle would disturb each other
+// without end, unless their generators are equally far from the corner. Powers of two achieve that. Source: J. Ruppert,
+// A Delaunay refinement algorithm for quality 2-dimensional mesh generation, 1995.
 
 #include "crease_defects.hpp"
 
@@ -30,8 +30,8 @@ struct GeneratorOnCurve {
   GeneratorId generator;
 };
 
-/// A curve with the generators and the label intervals on it, by length from its first vertex. Lengths of a closed
-/// curve go on for a second way round, so that no search along it has to treat its first vertex apart.
+/// A curve with the generators and the label intervals on it, by length from its first vertex. On a closed curve,
+/// lengths go around twice, so that no search along it has to treat the first vertex as a special case.
 struct LabelledCurve {
   const Mesh& mesh;
   const CreaseCurve& curve;
@@ -42,21 +42,21 @@ struct LabelledCurve {
 
   double length() const { return vertex_at.back(); }
 
-  /// Whether a curve that ends where it begins has fewer than three generators. One at the corner of an open curve with
-  /// equal ends stands at both of them.
+  /// Whether a curve that ends where it begins has fewer than three generators. If it is open and begins and ends at
+  /// the same corner, a generator there counts at both ends.
   bool has_too_few() const {
     if (curve.vertices.front() != curve.vertices.back()) return false;
     return generators.size() < (curve.closed ? 3 : 4);
   }
 
-  /// The generators of a curve; those of a closed one with the first one again at the end.
+  /// The generators of a curve. On a closed curve, the first one is repeated at the end.
   std::vector<GeneratorOnCurve> closed_generators() const {
     std::vector<GeneratorOnCurve> all = generators;
     if (curve.closed) all.push_back({generators.front().at + length(), generators.front().generator});
     return all;
   }
 
-  /// The label intervals of a curve; those of a closed one for a second way round, too.
+  /// The label intervals of a curve. On a closed curve they go around twice.
   std::vector<LabelInterval> repeated_labels() const {
     std::vector<LabelInterval> all = labels;
     if (!curve.closed) return all;
@@ -139,7 +139,7 @@ class CurveLabeller {
   }
 
  private:
-  /// Adds the generator at a vertex; false where there is none.
+  /// Adds the generator at a vertex. False if there is none.
   bool add_vertex(VertexId v, LabelledCurve& labelled) const {
     const auto here = at_vertex_.find(v);
     if (here == at_vertex_.end()) return false;
@@ -178,7 +178,7 @@ std::vector<LabelledCurve> label_curves(const Mesh& mesh, const std::vector<Crea
   return labelled;
 }
 
-/// The power of two from a third of the length to two thirds.
+/// The power of two between one and two thirds of the length.
 double shell_distance(double length) { return std::exp2(std::floor(std::log2(length * 2 / 3))); }
 
 /// Height of an arc that turns by kLargestBend over its chord, relative to the chord: tan(bend / 4) / 2.
@@ -249,7 +249,7 @@ class DefectFinder {
     }
   }
 
-  /// Adds the parts beside corners without a generator. False where there is none.
+  /// Adds the parts beside corners without a generator. False if there is none.
   bool add_corners(const LabelledCurve& labelled) {
     if (labelled.curve.closed) return false;
     const auto& on_curve = labelled.generators;
@@ -368,7 +368,7 @@ std::vector<SurfacePoint> CreaseFollower::propose(const Diagram& diagram, std::i
   if (!wants_more || most <= 0) return {};
   ++rounds_;
   AddedGenerators added(mesh_, diagram.generators, most);
-  // Where no corner takes a generator, one is too near to it. Then nothing is to be waited for.
+  // If no corner takes a generator, another one is too near to it, and there is nothing to wait for.
   for (const bool waits : {false, true}) {
     if (added.size() == 0) add_places(defects, waits, added);
   }

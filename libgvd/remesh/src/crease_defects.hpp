@@ -10,18 +10,19 @@
 
 namespace gvd {
 
-/// Least length of a label interval between two generators of a crease that counts, relative to the generators'
-/// distance: cells may touch a crease in a point.
+/// A label interval between two generators of a crease counts if it is longer than this fraction of the generators'
+/// distance, because a cell may touch a crease at a point.
 inline constexpr double kLeastForeignShare = 1e-6;
 
-/// New generators are not nearer than this to the generators on their two sides, relative to the distance of these.
+/// A new generator is not nearer to the generators on its two sides than this fraction of their distance.
 inline constexpr double kLeastEndShare = 0.05;
 
-/// The edge between consecutive generators of a crease shall not cut off a bend of more degrees: a circle then has nine
-/// edges at least. The direction of an arc differs from that of such an edge by half of that at most.
+/// An edge between consecutive generators of a crease must not cut off a bend of more than this, in degrees, so that a
+/// circle has at least nine edges. The direction of an arc differs from its edge's direction by at most half of the
+/// bend.
 inline constexpr double kLargestBend = 40;
 
-/// A part of a curve that the dual's edges do not follow, or where they cut off a bend.
+/// A part of a curve that the dual's edges do not follow, or along which they cut off a bend.
 struct CreaseDefect {
   std::vector<SurfacePoint> places;  ///< where generators would help
   double length = 0;                 ///< mesh units; defects of a curve do not overlap; 0 for a bend
@@ -31,11 +32,11 @@ struct CreaseDefect {
 
 /// Finds where the dual of a diagram leaves the creases.
 ///
-/// The dual follows a curve of the creases if the cells of any two consecutive generators cover the curve between them.
-/// Then these cells share a bisector that crosses the curve there: an edge joins consecutive generators. No other cell
-/// contains a point of the curve, so that no edge between generators on the two sides crosses it. The other generators
-/// of the curve count as foreign there, too. The generators of the ends and of turns have to be at the corners
-/// themselves, and a closed curve needs three.
+/// The dual follows a curve if the cells of any two consecutive generators cover the curve between them. Then these two
+/// cells share a bisector that crosses the curve, so that an edge joins the two generators, and no other cell contains
+/// a point of the curve there, so that no edge between generators on its two sides crosses it. Other generators of the
+/// curve count as foreign there as well. Ends and turns need generators at the corners themselves, and a closed curve
+/// needs three.
 ///
 /// The place of a generator for each kind of defect:
 /// - from a corner without a generator to the first generator of the curve: the corner;
@@ -47,26 +48,27 @@ struct CreaseDefect {
 /// - a bend (kLargestBend) of a crease between generators that are farther apart than `spacing`: the middle. Boundaries
 ///   of scans bend at every scale, so bends of boundaries do not count.
 ///
-/// `spacing`: that of evenly spread generators, mesh units. Shorter edges may cut off bends: circles that are small
-/// beside the triangles need few edges.
-/// Returns: the defects at corners first, then the longest first. The sum of their lengths exceeds that of the curves by
-/// rounding at most. Cost: O(n), and O(k log k) for k labels on creases.
+/// `spacing` is the spacing of evenly spread generators, in mesh units. Shorter edges may cut off bends, because a
+/// circle that is small compared with the triangles needs few edges. Returns the defects at corners first, then the
+/// others by length, the longest first. The sum of their lengths exceeds the length of the curves by rounding at most.
+/// Cost: O(n), and O(k log k) for k labels on creases.
 std::vector<CreaseDefect> find_crease_defects(const Mesh& mesh, const std::vector<CreaseCurve>& curves,
                                               const Diagram& diagram, double spacing);
 
-/// Rounds that add generators on creases. Defects shrink to less than three quarters each time, as a rule: where few
-/// generators are given for many creases, the first rounds fill corners and closed curves, and some defects may stay.
+/// The largest number of rounds that add generators on creases. As a rule, a round shrinks the defects to less than
+/// three quarters. If few generators are given for many creases, the first rounds fill corners and closed curves, and
+/// some defects may stay.
 inline constexpr int kCreaseRounds = 12;
 
 /// Adds generators on creases, round by round, so that the dual's edges follow them.
 class CreaseFollower {
  public:
-  /// Mesh and creases must outlive this. `max_added`: generators in all rounds together. `spacing`: as in
-  /// find_crease_defects. Cost: O(n).
+  /// The mesh and the creases must outlive this. `max_added` limits the generators of all rounds together; `spacing` is
+  /// as for find_crease_defects. Cost: O(n).
   CreaseFollower(const Mesh& mesh, const std::vector<CreaseCurve>& creases, std::int64_t max_added, double spacing);
 
-  /// New generators for the largest defects, at most `may_add`. None where there is no defect, and once the rounds or
-  /// the generators are used up: other defects then stay. Cost: O(n), and O(k m) for k new ones beside m generators.
+  /// New generators for the largest defects, at most `may_add`. None if there is no defect, or if the rounds or the
+  /// generators are used up; the other defects then stay. Cost: O(n), and O(k m) for k new generators besides m others.
   std::vector<SurfacePoint> propose(const Diagram& diagram, std::int64_t may_add);
 
   std::int64_t added() const { return added_; }
@@ -74,7 +76,7 @@ class CreaseFollower {
   bool is_held_back() const { return is_held_back_; }
   /// The length of all creases, mesh units.
   double length() const { return length_; }
-  /// The length of what the dual of the last `propose` does not follow, mesh units, in [0, length()].
+  /// The length of the parts that the dual of the last `propose` does not follow, mesh units, in [0, length()].
   double gap_length() const { return gap_length_; }
 
  private:

@@ -1,14 +1,14 @@
-// Discs: generators are added until every cell is one, and then left out again as far as all cells stay discs.
+// Adds generators until every cell is a disc, and then removes generators again as far as all cells stay discs.
 //
-// A disc needs less than the dual of a remesh: two cells round a loop may do, not three. But both have to reach as far
-// along a limb, or one of them surrounds it beyond the other. The point opposite the generator does
-// (opposite_points.cpp), and others may leave less to do elsewhere. A forecast by the labels of vertices
-// (disc_forecast.cpp) ranks candidates in a fraction of the time of a diagram. Where the mesh is too coarse for it, as
-// on a needle whose edges are longer than its girth, the opposite point comes first. After some rounds in vain,
-// candidates are tried on the part of the mesh round the cell; with few given generators that part is the whole mesh,
-// and each trial a diagram of it. The search of a remesh then finds what was added in vain, with discs as the one
-// property that counts. A closed component takes two generators, a handle three: two cells meet in closed curves only,
-// and leave annuli.
+// Discs need fewer generators than the dual of a remesh: two cells around a loop may be enough, instead of three. But
+// both have to reach equally far along a limb, or one of them surrounds the limb beyond the other. The point opposite
+// the generator does that (opposite_points.cpp), and other points may leave fewer cells to divide elsewhere. A forecast
+// by the labels of vertices (disc_forecast.cpp) ranks candidates in a fraction of the time of a diagram. If the mesh is
+// too coarse for a forecast, as on a needle whose edges are longer than its girth, the opposite point comes first.
+// After some rounds in vain, candidates are tried on the part of the mesh round the cell; with few given generators
+// that part is the whole mesh, and each trial a diagram of it. The search of a remesh then finds what was added in
+// vain; only the discs count for it. A closed component takes two generators, and a handle three, because two cells
+// meet only in closed curves there and leave annuli.
 #include "gvd/disc_cells.hpp"
 
 #include <fmt/format.h>
@@ -31,20 +31,20 @@
 namespace gvd {
 namespace {
 
-/// Candidates that are tried in one cell.
+/// The largest number of candidates that are tried in one cell.
 constexpr std::size_t kCandidates = 24;
 
-/// The share of the trials left that may follow on a success. With none, three of 54 runs added one generator more;
-/// with all, the first of several cells takes all trials on a large mesh.
+/// The fraction of the remaining trials that may follow a success. Without any, three of 54 runs added one generator
+/// more; with all of them, the first of several cells would use up all trials on a large mesh.
 constexpr double kTrialsAfterSuccess = 1.0 / 8;
 
 /// Cells that are divided in the same round have no common bisector: a change alters its neighbours.
 constexpr int kRingsApart = 1;
 
-/// Rounds in vain after which forecasts are no longer believed.
+/// The number of rounds without success after which forecasts are no longer trusted.
 constexpr std::size_t kVainForecasts = 4;
 
-/// The most windows of all trials, and of the search. `events`: those of the given diagram.
+/// The largest number of windows of all trials, and of the search. `events` is that of the given diagram.
 double find_most_events(double events) {
   return std::clamp(kDiscSearchWindows, kDiscSearch * events, kMostDiscSearch * events);
 }
@@ -115,8 +115,8 @@ class DiscMaker {
     return choose_by_trials(cell, candidates);
   }
 
-  /// Whether edges at a generator are longer than the way to the point opposite it. Labels of vertices tell little
-  /// then.
+  /// Whether edges at a generator are longer than the way to the point opposite it. Then the labels of vertices tell
+  /// little.
   bool is_coarse(GeneratorId cell, const SurfacePoint& opposite) const {
     const SurfacePoint& generator = result_.diagram.generators[cell.index()];
     const double across = (position(mesh_, opposite) - position(mesh_, generator)).norm();
@@ -129,8 +129,8 @@ class DiscMaker {
     return best.value;
   }
 
-  /// The candidate that takes away most defects, as far as trials are allowed. Where it takes away as many as the cell
-  /// has, few more are tried: one may mend other cells, too.
+  /// The candidate that removes the most defects, as far as trials are allowed. Once a candidate removes all defects of
+  /// the cell, few more are tried, because one of them may mend other cells as well.
   SurfacePoint choose_by_trials(GeneratorId cell, const std::vector<SurfacePoint>& candidates) {
     const LocalDual local(mesh_, result_.diagram, {cell}, {}, options_.diagram);
     const int own = count_disc_defects(result_.diagram.cells[cell]);
@@ -144,7 +144,7 @@ class DiscMaker {
     return best.value;
   }
 
-  /// How many more defects there are with one more generator, below 0 for fewer; nothing where the part can't tell.
+  /// The change in the number of defects with one more generator. Nothing if the part can't tell.
   std::optional<int> try_point(const LocalDual& local, const SurfacePoint& point) {
     const auto with = local.compute({point});
     events_ += double(with ? with->diagram.report.propagation_events : 0);
@@ -159,7 +159,8 @@ class DiscMaker {
     return change;
   }
 
-  /// What came of the rounds, and what helps: cells that are no longer than the surface is thick are discs.
+  /// The end of a message: how the rounds went, and the advice that helps, because cells no longer than the surface is
+  /// thick are discs.
   std::string describe_limit(std::size_t left) const {
     const std::string added_so_far = fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
                                                  counted(result_.rounds, "round", "rounds"));
@@ -206,8 +207,8 @@ class DiscMaker {
   const double most_events_;              // windows propagated in trials, and in the search
   double events_ = 0;                     // of trials
   std::optional<DiscForecast> forecast_;  // once a cell is no disc
-  /// Rounds in a row that took no defect away. Each lets another candidate come first, which is taken where none is
-  /// better: the point opposite a generator divides a straight limb, and creeps along a bent one.
+  /// Consecutive rounds that removed no defect. After each, another candidate comes first, which is taken if none is
+  /// better: the point opposite a generator divides a straight limb, but creeps along a bent one.
   std::size_t vain_rounds_ = 0;
   std::size_t first_ = 0;  // cells that are no discs, of the given generators
   DiscCells result_;

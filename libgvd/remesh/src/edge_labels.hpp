@@ -10,17 +10,17 @@
 
 namespace gvd {
 
-/// A part of an edge or of a curve that belongs to one cell, as one of the faces there has it.
+/// A part of an edge or of a curve that belongs to one cell, as seen from one of the faces there.
 struct LabelInterval {
   double begin = 0;  ///< parameter along the edge's halfedge `mesh.halfedge(edge)`, or length along the curve
   double end = 1;
   GeneratorId cell;
 };
 
-/// The label intervals of a whole edge that the faces there have, in no order, out of the cells' parts of these faces:
-/// the sides whose two ends have a 0 for the corner opposite to the edge.
+/// The label intervals of a whole edge, from all faces of the edge, in no order. They are the sides of the cells' parts
+/// of these faces whose two ends have a 0 for the corner opposite the edge.
 ///
-/// The two faces of an inner edge agree, unless a bisector runs along it. Empty where no generator reaches it. Cost:
+/// The two faces of an inner edge agree, unless a bisector runs along it. Empty if no generator reaches the edge. Cost:
 /// O(log p) for p pieces of the diagram, and O(corners of the faces' parts).
 inline std::vector<LabelInterval> label_edge(const Mesh& mesh, const Diagram& diagram, EdgeId edge) {
   std::vector<LabelInterval> labels;

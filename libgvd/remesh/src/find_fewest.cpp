@@ -14,10 +14,11 @@
 namespace gvd {
 namespace {
 
-/// Largest and smallest factor from one number to the next, while all are too small or all are enough.
+/// The largest and the smallest factor from one number to the next, as long as all numbers are too small or all are
+/// enough.
 constexpr double kMostGrowth = 8, kLeastGrowth = 1.25;
 
-/// Numbers that are known to be too small, and enough.
+/// The numbers that are known to be too small and to be enough.
 struct Bracket {
   std::int32_t too_small = 0;
   std::optional<std::int32_t> enough;

@@ -7,9 +7,9 @@
 //
 // Each sample of one surface and its closest point of the other give a plane; the square distance from it is a
 // quadratic function of the three corners of a face. The sums of a face are a block of 9 x 9, and the blocks and the
-// springs one sparse system over all vertices. Samples are taken in both directions, or parts of the mesh would leave
-// the surface unnoticed. The sums are formed in the order of the samples, for any number of threads.
-// docs/notes/remesh-placement.md has the measurements that chose it.
+// springs one sparse system over all vertices. Samples are taken in both directions, because otherwise parts of the
+// mesh could leave the surface unnoticed. The sums are formed in the order of the samples, for any number of threads.
+// docs/notes/remesh-placement.md has the measurements behind this method.
 
 #include "fit_vertices.hpp"
 
@@ -26,7 +26,7 @@
 namespace gvd {
 namespace {
 
-/// Bounds the weight of triangles with hardly any area.
+/// Bounds the weight of triangles that have hardly any area.
 constexpr double kLeastQuality = 0.05;
 
 /// Sums over the faces of a vertex.
@@ -180,7 +180,7 @@ void add_springs(const Mesh& remesh, const std::vector<VertexAnchor>& anchors, V
   }
 }
 
-/// Eigen tells nothing from inside of its steps: progress is heard between them.
+/// Eigen reports nothing from inside its steps, so that progress is only told between them.
 Eigen::VectorXd solve(const VertexSystem& system, const Progress& progress) {
   const auto report = [&] { report_progress(progress, "fit", 1); };
   Eigen::SparseMatrix<double> matrix(system.right.size(), system.right.size());

@@ -10,7 +10,7 @@
 
 namespace gvd {
 
-/// A vertex's position of better triangles, and the direction across them.
+/// The position at which a vertex has better triangles, and the direction across them.
 struct VertexShape {
   Vec3 position;
   Vec3 normal;  ///< of its faces by their areas; zero where they have none
@@ -18,10 +18,10 @@ struct VertexShape {
 
 /// The positions at which the vertices would have better triangles.
 ///
-/// Each face of a vertex has an edge opposite to it, over which an equilateral triangle in the face's plane stands. The
-/// position is the weighted mean of the apexes of these triangles; a vertex without faces stays. A face weighs by the
-/// reciprocal of its quality 4 sqrt(3) area / (sum of square edge lengths), so that bad triangles improve first. Moves
-/// of a vertex to there are Jacobi steps of a smoothing. Cost: O(n).
+/// For each face of a vertex, take the equilateral triangle over the opposite edge, in the plane of the face. The
+/// position is the weighted mean of the apexes of these triangles; a vertex without faces stays. The weight of a face
+/// is the reciprocal of its quality 4 sqrt(3) area / (sum of square edge lengths), so that bad triangles improve first.
+/// Moving all vertices there is one Jacobi step of a smoothing. Cost: O(n).
 std::vector<VertexShape> find_vertex_shapes(const Mesh& mesh);
 
 /// The freedom of a vertex in the rounds of a fit.
@@ -32,7 +32,7 @@ enum class VertexRole : char {
   held,         ///< stays where the rounds begin: at its generator if fixed, else at the boundary's quadric minimum
 };
 
-/// The data that the springs of the vertices depend on, beside their positions.
+/// The data that the springs of the vertices depend on, besides their positions.
 struct SpringPlan {
   const Mesh* remesh = nullptr;  ///< with its vertices at the generators
   IdVector<GeneratorId, CreaseCell> creases;
@@ -41,7 +41,7 @@ struct SpringPlan {
   double stiffness = 1;       ///< factor of the springs along the surface, > 0
 };
 
-/// The roles of the vertices: `held` ones, those at creases, their neighbours, and the rest. Cost: O(n).
+/// The freedom of each vertex: held ones, ones at creases, their neighbours, and the rest. Cost: O(n).
 std::vector<VertexRole> find_vertex_roles(const Mesh& remesh, const IdVector<GeneratorId, CreaseCell>& creases,
                                           const std::vector<char>& held);
 
@@ -66,8 +66,8 @@ struct AreaSample {
 /// O(n + count).
 std::vector<AreaSample> sample_surface(const Mesh& mesh, double count);
 
-/// At most `most` samples where there are more: each stands for some that follow each other and have an equal share of
-/// the area, or for a larger one alone. Samples without area are all kept. Deterministic. Cost: O(n).
+/// Reduces samples to at most `most`. Each of the result stands for consecutive samples with an equal share of the
+/// area, or for a single sample with a larger one. Samples without area are all kept. Deterministic. Cost: O(n).
 std::vector<AreaSample> thin_out(std::vector<AreaSample> samples, double most);
 
 /// The surface that a mesh is fitted to.
@@ -80,8 +80,8 @@ struct FitTarget {
   Progress progress = {};  ///< may be empty
 };
 
-/// The square distances of the samples at one face of a mesh, as a function of the moves x of its three corners:
-/// x' matrix x - 2 right' x, and a constant.
+/// The square distances of the samples at one face of a mesh, as a function of the moves x of its three corners: x'
+/// matrix x - 2 right' x plus a constant.
 struct FaceSystem {
   using Block = Eigen::Matrix<double, 9, 9>;
   using Column = Eigen::Matrix<double, 9, 1>;
@@ -92,15 +92,15 @@ using FaceSystems = IdVector<FaceId, FaceSystem>;
 
 /// The square distances of samples of a surface from a mesh, and of samples of the mesh from the surface.
 ///
-/// A pair of a sample and its closest point counts by a plane through one of them, normal to the direction to the
-/// other. It is the plane of a triangle, or one that touches an edge or a vertex. The pairs are those of the mesh
-/// before the moves. Pairs of faces that look in opposite directions do not count: they belong to different sheets.
-/// Cost: O(n log n).
+/// The distance of a sample from its closest point is replaced by the distance from a plane through one of the two,
+/// normal to the direction to the other: the plane of a triangle, or one that touches an edge or a vertex. Closest
+/// points are found before the moves. Pairs of faces that face in opposite directions do not count, because they belong
+/// to different sheets. Cost: O(n log n).
 FaceSystems find_face_systems(const Mesh& remesh, const FitTarget& target);
 
-/// The vertex positions with the least sum of the square distances `systems` and the stretch of the springs. `anchors`:
-/// one for each vertex. Gives the positions before where the system can't be solved.
-/// `progress`: of the step "fit"; may be empty. Cost: a sparse Cholesky factorisation.
+/// The vertex positions with the least sum of the square distances of `systems` and the energy of the springs,
+/// `anchors`, one for each vertex. If the system can't be solved, the vertices stay where they are. `progress` is told
+/// of the step "fit"; it may be empty. Cost: a sparse Cholesky factorisation.
 std::vector<Vec3> fit_vertices(const Mesh& remesh, const FaceSystems& systems, const std::vector<VertexAnchor>& anchors,
                                const Progress& progress = {});
 

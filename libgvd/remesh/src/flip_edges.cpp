@@ -1,9 +1,8 @@
-// Edges of a remesh that are better flipped: where distance and the triangles' shapes are better in sum.
+// Finds the edges of a remesh whose flip improves distance and triangle shapes together.
 //
 // A dual has an edge wherever two cells meet, however short their bisector is. So vertices with three and four edges
 // lie beside others with eight, and edges cross creases that no generator is on. A flip mends both, and moves no
-// vertex. Each face takes part in one flip at most: then any of them can be taken back by itself, as is done where
-// triangles intersect.
+// vertex. Each face takes part in at most one flip, so that any flip can be undone by itself if triangles intersect.
 #include "flip_edges.hpp"
 
 #include <algorithm>
@@ -21,13 +20,13 @@
 namespace gvd {
 namespace {
 
-/// The least gain of a flip, in lacks of Q: the vertices still move, and that would make up for less.
+/// The least gain of a flip, in units of 1 - Q. The vertices still move afterwards, which makes up for smaller gains.
 constexpr double kLeastGain = 0.02;
 
-/// The distance is not looked at where the triangles lose more than this of Q.
+/// A flip after which the triangles lose more than this of Q is dropped before its distances are computed.
 constexpr double kMostLost = 0.2;
 
-/// Samples of two triangles.
+/// The number of samples of two triangles.
 constexpr double kSamples = 18;
 
 struct Flip {

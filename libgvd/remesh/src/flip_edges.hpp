@@ -24,18 +24,20 @@ struct FlipSearch {
   Progress progress = {};  ///< may be empty
 };
 
-/// The edges that are better flipped, each face at most once.
+/// Chooses edges to flip, at most one for each face.
 ///
-/// An edge is flipped where the sum of square distances from the surface and the price of Q of its two triangles falls.
-/// So edges turn along creases, and away from vertices with many of them. Left as they are: edges that follow creases,
-/// those between held vertices, and those at a vertex with three. No new edge joins vertices that have one, no new
-/// triangle is flipped against the surface, has a smaller angle than both had if that is below kLeastFlippedAngle, or
-/// intersects another. So the mesh stays one of the same topology. The best flips come first. Deterministic.
-/// Cost: O(n log n), and O(1) closest points for each edge that might be better flipped.
+/// An edge is flipped if that lowers the sum of the square distances from the surface and the price of Q of its two
+/// triangles. So edges turn along creases, and away from vertices of high valence. Edges that follow creases, edges
+/// between held vertices and edges at a vertex of valence three stay. The best flips come first.
+///
+/// Properties: (1) no new edge joins vertices that have an edge, so the topology stays the same; (2) no new triangle is
+/// flipped against the surface or intersects another; (3) an angle below kLeastFlippedAngle is not smaller than the
+/// least angle of the two triangles before; (4) deterministic. Cost: O(n log n), and O(1) closest points for each edge
+/// that might be better flipped.
 std::vector<EdgeFlip> flip_edges(const FlipSearch& search, const Mesh& mesh);
 
-/// New triangles have no angle below this, degrees, unless the old ones have a smaller one: for users, triangles below
-/// 30 degrees are thin.
+/// New triangles have no angle below this, in degrees, unless the old ones have a smaller one. Users call triangles
+/// with angles below 30 degrees thin.
 inline constexpr double kLeastFlippedAngle = 30;
 
 }  // namespace gvd

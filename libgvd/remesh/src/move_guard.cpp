@@ -1,9 +1,9 @@
 // Moves of the vertices of a remesh that leave its triangles valid.
 //
 // No triangle may flip, get an angle below its bound, or intersect one that it did not intersect at the generators. The
-// guard halves the steps of all vertices of wrong triangles until none is wrong. Intersections are looked for only
-// where the triangles are valid one by one: that test costs most. A triangle that was wrong at the generators is not
-// judged.
+// guard halves the steps of all vertices of wrong triangles until none is wrong. Intersections are looked for last,
+// when each triangle is valid by itself, because that test costs most. A triangle that was wrong at the generators is
+// not judged.
 #include "move_guard.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 namespace gvd {
 namespace {
 
-/// Fraction of an angle by which it may shrink even where it is below the bound: a million times the rounding.
+/// The fraction of an angle by which it may shrink even if it is below the bound: a million times the rounding.
 constexpr double kAngleSlack = 1e-9;
 
 }  // namespace
@@ -35,7 +35,7 @@ MoveGuard::MoveGuard(const Mesh& surface, const Mesh& remesh, const std::vector<
   normal_ = IdVector<FaceId, Vec3>(normals_at_faces(surface, remesh, generators, face_points));
   for (const FaceId f : remesh.faces()) {
     const auto& [a, b, c] = PlacedFaces(remesh).corners(f);
-    // Rounding must not take a triangle that does not move for one that is worse than before.
+    // Rounding must not make a triangle that does not move seem worse than before.
     least_angle_.push_back(std::min(options.least_angle, (1 - kAngleSlack) * compute_min_angle(a, b, c)));
   }
 }

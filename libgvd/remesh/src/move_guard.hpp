@@ -15,16 +15,17 @@ Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions);
 /// Moves the vertices of a remesh as far as its triangles stay valid.
 class MoveGuard {
  public:
-  /// `remesh` has its vertices at the generators. What is wrong with it already is no concern of the guard. Both
-  /// meshes must outlive it.
+  /// `remesh` has its vertices at the generators. The guard ignores defects that are there already. Both meshes must
+  /// outlive it.
   MoveGuard(const Mesh& surface, const Mesh& remesh, const std::vector<SurfacePoint>& generators,
             const std::vector<SurfacePoint>& face_points, const PlacementOptions& options);
 
-  /// Lets the triangles of these vertices have angles down to `least_angle`, degrees: they have to meet creases.
+  /// Allows angles down to `least_angle`, in degrees, in the triangles of these vertices, which have to meet creases.
   void loosen(const std::vector<char>& vertices, double least_angle);
 
-  /// The steps from one valid list of positions to another, each halved until all triangles are valid, or left out.
-  /// Deterministic: all triangles are tested, then all steps are changed. Cost: O(n log n) a test.
+  /// Moves the vertices from valid positions towards others. Steps are halved, and in the end left out, until all
+  /// triangles are valid. All triangles are tested before any step is changed, so that the result is deterministic.
+  /// Cost: O(n log n) for each test.
   std::vector<Vec3> move(const std::vector<Vec3>& from, const std::vector<Vec3>& to) const;
 
   /// The least angle that each triangle may have, degrees.

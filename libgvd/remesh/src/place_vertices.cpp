@@ -2,8 +2,8 @@
 //
 // A fit goes step by step, each step as far as the guard lets it: vertices at creases and on the boundary go to their
 // quadric's minimum, then rounds of a least-squares fit move all of them. In a round, thin triangles are mended before
-// the guard sees them: it knows no better than to halve steps. Before the last rounds, edges are flipped: there,
-// vertices are near where they end. The mesh is valid after each step. docs/notes/remesh-placement.md has the
+// the guard sees them, because it could only halve their steps. Edges are flipped before the last rounds, when the
+// vertices are near their final positions. The mesh is valid after each step. docs/notes/remesh-placement.md has the
 // measurements behind the order and the constants.
 #include <fmt/format.h>
 
@@ -23,48 +23,51 @@
 namespace gvd {
 namespace {
 
-/// Eigenvalues of a quadric below this fraction of the largest one are those of directions along the surface. The cell
-/// of a sphere with an angular radius of r has r^2 / 4: 0.2 radians.
+/// Eigenvalues of a quadric below this fraction of the largest one belong to directions along the surface. On a sphere,
+/// a cell with an angular radius of r has the fraction r^2 / 4, so this is 0.2 radians.
 constexpr double kQuadricTruncation = 0.01;
-/// Samples of each surface for each vertex, in the last round. Rounds before it take half of them where these are
-/// enough: with 2000 vertices, the means of nine models change by .2 % at most. With 100 vertices RMS grew by 1.3 %.
+/// The number of samples of each surface for each vertex, in the last round. If there are many vertices, the rounds
+/// before it use half as many, which changes the means of nine models with 2000 vertices by at most .2 %; with 100
+/// vertices the RMS distance would grow by 1.3 %.
 constexpr double kSamplesPerVertex = 16, kEarlySamples = 0.5, kEnoughSamples = 1 << 14;
 
-/// Most samples of a fine surface, which has one in each face, in the last round, unless vertices ask for more; in the
-/// rounds before it, kEnoughSamples. With kEnoughSamples in the last one, too, RMS grew by 1.6 % with 2000 vertices on
-/// meshes of 52,000 to 106,000 faces. Fewer vertices need fewer: with 64 for each, RMS is within .2 % with 100 and 500.
+/// The largest number of samples of a fine surface, which has one in each face, in the last round, unless the vertices
+/// ask for more. The rounds before it use kEnoughSamples; in the last one, that would raise the RMS distance by 1.6 %
+/// with 2000 vertices on meshes of 52,000 to 106,000 faces. With 100 and 500 vertices, 64 for each are enough to be
+/// within .2 %.
 constexpr double kLastSamples = 1 << 17, kLastSamplesPerVertex = 64;
-/// Least area of a cell for its spring, in squares of the bounding box's diagonal: a cell of no area needs one, too.
+/// The least area of a cell for its spring, in squares of the bounding box's diagonal, because a cell without area
+/// needs a spring as well.
 constexpr double kLeastCellArea = 1e-12;
 
-/// Factor of the springs and of the price of thin triangles where the shape is 0; its reciprocal where it is 1.
-/// docs/notes/remesh-placement.md has the figures from 0 to 1.
+/// The factor of the springs and of the price of thin triangles for a shape of 0; for a shape of 1 it is the
+/// reciprocal. docs/notes/remesh-placement.md has the figures from 0 to 1.
 constexpr double kLeastShapeFactor = 0.01;
 
-/// The price of triangles with an angle below the bound of free vertices, in each round. With less, more angles stay
-/// below 30 degrees; with four times as much the distance of the models with creases grows by a quarter.
+/// The price of triangles with an angle below the bound of free vertices, in each round. A lower price leaves more
+/// angles below 30 degrees; four times the price adds a quarter to the distance of models with creases.
 constexpr double kThinPrice = 0.05;
 
-/// The angle below which triangles are thin for users, and half a degree that the search may miss it by. At the end
-/// such triangles cost sixty times more. In all rounds that would take vertices off creases too early.
+/// The angle below which users call triangles thin, plus half a degree that the search may miss it by. In the last
+/// round such triangles cost sixty times more; in all rounds, that price would move vertices off creases too early.
 constexpr double kLastThinAngle = 30.5, kLastThinPrice = 3;
 
 /// The price of Q from round kFitRounds on, times the root of the number of vertices. The square distance of a cell, in
-/// units of its area, falls as 1 / n; the root lets both gain. With the springs' triangles and without this price, mean
-/// Q was .839, .896 and .919 with 100, 500 and 2000 vertices (docs/notes/remesh-placement.md).
+/// units of its area, falls as 1 / n; the root lets distance and Q both gain. docs/notes/remesh-placement.md has the
+/// measurements.
 constexpr double kShapePrice = 0.55;
-/// With fewer vertices the price falls with their number: a triangle spans more of the surface, and what is better for
-/// its shape costs more distance. With a price that rises by the root, the RMS distance of flat closed shapes with 20
-/// vertices was up to 80 % larger.
+/// With fewer vertices than this, the price falls with their number, because a triangle then spans more of the surface
+/// and a better shape costs more distance: with the root alone, the RMS distance of flat closed shapes with 20 vertices
+/// would be up to 80 % larger.
 constexpr double kFullPriceVertices = 100;
 
-/// Fewer vertices have one round more, with flips and the price of Q as in the last one: there it takes 6 % of a
-/// command's time. With 100 vertices mean Q is .872 in place of .868, and RMS 1 % smaller.
+/// Fewer vertices than this get one more round, with flips and the price of Q as in the last one. With 100 vertices it
+/// takes 6 % of a command's time, raises mean Q by .004 and makes the RMS distance 1 % smaller.
 constexpr std::int32_t kFewVertices = 256;
 
 double shape_factor(double shape) { return std::pow(kLeastShapeFactor, 1 - 2 * shape); }
 
-/// The options with the bounds on angles that their shape asks for.
+/// The options with the bounds on angles that follow from their shape.
 PlacementOptions with_bounds(PlacementOptions options) {
   const double share = std::min(1.0, 2 * options.shape);
   for (double* angle : {&options.least_angle, &options.least_crease_angle}) {
@@ -147,7 +150,7 @@ class Placer {
     return {std::move(positions), std::move(flips)};
   }
 
-  /// Flips edges and adds them to `flips`. The moves that follow are judged by the mesh that this leaves.
+  /// Flips edges and adds them to `flips`. The guard judges the moves that follow by the resulting mesh.
   void flip(const std::vector<Vec3>& positions, const SpringPlan& plan, const ClosestPointTree& tree,
             std::vector<EdgeFlip>& flips) {
     std::vector<char> on_curve(positions.size(), 0);

@@ -1,7 +1,7 @@
-// Thin triangles of a fit: their vertices go to where the angles are larger and the distances hardly worse.
+// Moves the vertices of a fit's thin triangles to where the angles are larger and the distances hardly worse.
 //
-// A fit that takes vertices to creases makes triangles thin whose three corners come to lie near one line. The guard
-// would halve the steps of all three, and lose the crease. Here one vertex at a time moves, and pays for it: the
+// A fit that moves vertices to creases makes a triangle thin if its three corners end up near one line. The guard would
+// halve the steps of all three, and lose the crease. Here one vertex at a time moves, and the move has a cost: the
 // distances are the quadratic forms of the fit, with the other vertices fixed, and thin triangles have a price. So
 // vertices first slide along creases and flat parts, which costs no distance, and leave a crease where nothing else
 // helps.
@@ -31,27 +31,28 @@ namespace {
 /// Directions in which a vertex tries to move.
 constexpr int kDirections = 8;
 
-/// Length of the first steps, relative to the mean edge of the vertex; the next ones are half as long.
+/// The length of the first steps, relative to the mean edge of the vertex. Each next step is half as long.
 constexpr double kFirstStep = 0.2;
 
-/// Gains of less than this part of the cost are none: a million times the rounding.
+/// A gain below this fraction of the cost does not count: it is a million times the rounding.
 constexpr double kLeastGain = 1e-9;
 
-/// The price of an angle that the guard forbids, in lacks of an angle to thin triangles' bound: .1 for any, and its
-/// own lack. The guard would halve the steps of all three corners. Without it, a third more angles are below 30
-/// degrees.
+/// The price of an angle that the guard forbids, in units of what an angle lacks to the bound of thin triangles: .1 for
+/// any such angle, plus what it lacks itself. Without this price the guard would halve the steps of all three corners,
+/// and a third more angles would be below 30 degrees.
 constexpr double kForbidden = 0.1;
 
-/// The most that a vertex pays in square distances for all its thin triangles, against a cell's unit: that of a cell
-/// moved by a tenth of the root of its area. Where generators are not even, no place may have good triangles. Without
-/// the bound, vertices of the rotor with 500 unrelaxed generators went 4.5 % of the diagonal away, and with it 2.5 %.
+/// The largest square distance that a vertex accepts for all its thin triangles, in units of a cell: that of a cell
+/// moved by a tenth of the root of its area. If generators are uneven, there may be no place with good triangles.
+/// Without the bound, vertices of the rotor with 500 unrelaxed generators moved up to 4.5 % of the diagonal; with it,
+/// 2.5 %.
 constexpr double kMostPaid = 0.01;
 
-/// A Q above this times most_q is that of no thin triangle: a million times the rounding.
+/// A triangle with a Q above this times most_q is not thin: the slack is a million times the rounding.
 constexpr double kQSlack = 1 + 1e-9;
 
-/// The largest Q of a triangle with this smallest angle, degrees: that of the isosceles one whose apex has it. Of two
-/// sides at the angle, the longer one of length 1, the area over the perimeter grows with the other one.
+/// The largest Q of a triangle with this smallest angle, in degrees: that of the isosceles triangle with this angle at
+/// its apex. If the longer side at the angle has length 1, the ratio of area and perimeter grows with the other side.
 double most_q(double angle) {
   const double apex = angle * std::numbers::pi / 180;
   return std::sqrt(3.0) * std::sin(apex) / (1 + std::sin(apex / 2));
@@ -87,7 +88,7 @@ class AngleRaiser {
 
     double at(const Vec3& move) const { return move.dot(matrix * move) - 2 * right.dot(move); }
 
-    /// How often to go along a direction for the least value; not at all where it does not matter.
+    /// How far to go along a direction for the least value; 0 if the direction does not matter.
     double rise(const Vec3& move, const Vec3& direction) const {
       const double stiffness = direction.dot(matrix * direction);
       return stiffness > 0 ? direction.dot(right - matrix * move) / stiffness : 0;
@@ -110,7 +111,7 @@ class AngleRaiser {
     return has_moved;
   }
 
-  /// What a triangle lacks of the angles that it should have: of that of a thin one, and of its bound.
+  /// How far a triangle's angle is below the angle of thin triangles, and below its bound.
   double price_of_angle(FaceId f, const Triangle& triangle, double q) const {
     const bool flips = is_flipped(triangle, search_.guard->normals()[f]);
     const double bound = search_.guard->least_angles()[f];
@@ -154,8 +155,8 @@ class AngleRaiser {
     return form.at(move(v)) + area * area * price_of_faces(v);
   }
 
-  /// Two directions along the surface at a vertex, and across it, with the length of its faces' mean edge. On a crease:
-  /// the one along it, and nothing.
+  /// Two directions along the surface at a vertex and one across it, with the length of the mean edge of its faces. On
+  /// a crease, only the direction along it.
   std::array<Vec3, 3> axes(std::size_t v) const {
     Vec3 normal(0, 0, 0);
     double length = 0;
@@ -171,7 +172,7 @@ class AngleRaiser {
     return {length * first, length * normal.normalized().cross(first), length * normal.normalized()};
   }
 
-  /// Tries places round the vertex, with steps that get shorter, and keeps the best. False if the vertex stays.
+  /// Tries places around the vertex, with steps that get shorter, and keeps the best. False if the vertex stays.
   bool improve(std::size_t v) {
     const auto [x, y, z] = axes(v);
     const Form form = find_form(v);

@@ -2,10 +2,10 @@
 //
 // A round is a value: the triangles of the dual, the mesh that they make, and the defects in the way. Creases come
 // first, then the topology, flipped triangles, and at last, on the placed mesh, triangles that intersect. Each defect
-// asks for generators near it. The rounds end because each adds a generator, of which there may be only so many: where
-// these are too many or take too long, the component is its own triangles instead, decimated (DecimatedComponents).
-// After them, searches leave out generators that were added in vain, or others for an exact number, and slivers are
-// repaired. The certificate is measured on the result alone. docs/developer/remesh.md tells why the result is right.
+// asks for generators near it. The rounds end because each adds a generator and their number is limited; if it takes
+// too many or too long, the component becomes its own triangles instead, decimated (DecimatedComponents). Then searches
+// remove generators that were added in vain, or others for an exact number, and slivers are repaired. The certificate
+// is measured on the result alone. docs/developer/remesh.md tells why the result is right.
 
 #include "gvd/remesh.hpp"
 
@@ -35,56 +35,56 @@
 namespace gvd {
 namespace {
 
-/// Creases that are followed take some percent more generators, and close curves up to twice as many. What is more
-/// than that stays as it is.
+/// The largest number of generators that are added on creases. Following creases usually takes some percent more
+/// generators, and curves that are close together up to twice as many. Beyond that, gaps stay.
 std::int64_t max_on_creases(std::size_t generators) { return static_cast<std::int64_t>(generators) + 100; }
 
 /// The fraction of the given generators that may be added without a search for fewer.
 constexpr double kWorthSearching = 0.1;
 
-/// The default of max_added is raised so many times where that is likely to do.
+/// The default of max_added may be raised by this factor if that is likely to be enough.
 constexpr std::int64_t kRaisedLimit = 3;
 
-/// The work of a search, by that of the other diagrams.
+/// The limit on the work of a search, as a fraction of the work of all other diagrams.
 constexpr double kSearchShare = 1.0 / 3, kExchangeShare = 2;
 
-/// Rounding of a length of creases that edges do not follow, by the length of all.
+/// The rounding of the length of creases that edges do not follow, relative to the length of all creases.
 constexpr double kGapTolerance = 1e-9;
 
-/// A placement of all vertices costs several times as much as the other steps of a round. After so many, triangles that
-/// still intersect are not repaired by more generators, where their component can be decimated.
+/// A placement of all vertices costs several times as much as the other steps of a round. After so many placements, a
+/// component whose triangles still intersect is decimated, if it may be, instead of getting more generators.
 constexpr std::int32_t kMaxPlacements = 20;
-/// Surfaces of more components are assemblies, whose components often intersect each other wherever generators are
-/// added. A hollow body has two components, which are repaired like one.
+/// A surface of more components than this is an assembly, whose components often intersect each other wherever
+/// generators are added. A hollow body has two components, which are repaired like one.
 constexpr std::int32_t kMostOfBody = 8;
 constexpr std::int32_t kMaxAssemblyPlacements = 2;
 
-/// Windows that a repair may propagate before components with defects are decimated: those of so many diagrams like the
-/// first one, some for each face, since the diagram of few generators says little of others, and what takes a fraction
-/// of a second, whatever the mesh.
+/// The windows that a repair may propagate before components with defects are decimated: as many as so many diagrams
+/// like the first one, more for each face, because the first diagram of few generators says little about later ones,
+/// and a number that takes a fraction of a second on any mesh.
 constexpr std::int64_t kRepairDiagrams = 60, kRepairEventsPerFace = 300, kRepairEvents = 200'000;
 
-/// Faces have 10 to 30 windows, needles hundreds: a diagram then takes as long as twenty others. Where there are so
-/// many for each face, so many rounds of repair have to do.
+/// Ordinary faces have 10 to 30 windows, needles have hundreds, and a diagram then takes as long as twenty others. If
+/// there are this many windows for each face, only so many rounds of repair follow.
 constexpr std::int64_t kNeedleEventsPerFace = 100;
 constexpr std::int32_t kNeedleRounds = 1;
 
-/// The generators that a component of several may be given: as many again as it had, and so many times the fewest
-/// vertices of its topology. Then its own triangles do, with fewer vertices. So a part does not cost more than the
-/// whole is worth.
+/// The generators that may be added to one component of an assembly: as many as it was given, and so many times the
+/// fewest vertices of its topology. After that it becomes its own triangles, with fewer vertices, so that a small part
+/// does not get more vertices than it is worth.
 constexpr std::int64_t kLeastMeshes = 2;
-/// Rounds in which such a component may have defects.
+/// The number of rounds in which such a component may have defects.
 constexpr std::int32_t kMostComponentRounds = 8;
 
 /// A repair is given up after so many rounds without fewer defects of one kind (in topology, flipped, intersecting)
-/// than ever before. Those that succeed take 50 rounds at most, and nine of ten take 12.
+/// than ever before. Successful repairs take at most 50 rounds, and nine of ten take at most 12.
 constexpr std::int32_t kStagnantRounds = 20;
 
-/// From this round on, a repair is given up whose defects are half as many again as at first, and one for two
-/// generators: the surface is finer than their spacing nearly everywhere. The first round of few generators has few
-/// defects.
+/// From this round on, a repair is given up if there are half as many defects again as at first, and one for every two
+/// generators: the surface is then finer than their spacing nearly everywhere. Earlier rounds don't count, because few
+/// generators have few defects at first.
 constexpr std::int32_t kGrowthRound = 3;
-/// That holds once components have so many generators on average: the first four of a sphere have defects, too.
+/// That rule applies once components have so many generators on average: the first four of a sphere have defects, too.
 constexpr std::size_t kGrowthGenerators = 8;
 
 void check_options(const RemeshOptions& options, std::size_t generators) {
@@ -113,8 +113,8 @@ std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(std::int64_t(count), "more defect", "more defects");
 }
 
-/// The fewest vertices of a mesh with this topology: four of a sphere, three of a disc, six of an annulus, seven of a
-/// torus. An upper bound for more handles than three.
+/// The fewest vertices of a mesh with this topology: four for a sphere, three for a disc, six for an annulus, seven for
+/// a torus. With more than three handles it is an upper bound.
 std::int64_t least_vertices(const ComponentTopology& topology) {
   const std::int64_t handles = twice_genus(1, topology.boundary_loops, topology.euler_characteristic) / 2;
   return (topology.boundary_loops == 0 ? 4 : 3 * std::int64_t{topology.boundary_loops}) + 3 * handles;
@@ -129,8 +129,8 @@ std::vector<SurfacePoint> list_points(const std::vector<SurfacePoint>& generator
   return points;
 }
 
-/// The rounds of a remesh; then the searches, the repair of slivers, and the certificate. Long because each of these
-/// steps replaces the one result, under the same conditions (`take_if`).
+/// The rounds of a remesh, then the searches, the repair of slivers, and the certificate. They are in one class because
+/// each of these steps replaces the one result, under the same conditions (`take_if`).
 class Remesher {
  public:
   /// Mesh and options must outlive this.
@@ -215,7 +215,7 @@ class Remesher {
     return refusal_.has_value();
   }
 
-  /// Keeps their number, and the last round that had fewer of a kind than all before.
+  /// Notes the number of defects, and the last round that had fewer defects of a kind than all rounds before.
   void note_defects(const std::vector<DualDefect>& defects) {
     history_.emplace_back(result_.added, defects.size());
     const DualProperty property = defects.front().property;
@@ -227,7 +227,8 @@ class Remesher {
     progress_round_ = result_.rounds;
   }
 
-  /// The diagram after generators were added. An exact one is computed anew once; then only what they change.
+  /// Updates the diagram after generators were added. An exact diagram is computed anew once; from then on, only the
+  /// cells that change.
   void update_diagram() {
     if (options_.diagram.method != Method::exact) {
       result_.diagram = compute_diagram(mesh_, result_.generators, options_.diagram);
@@ -242,7 +243,8 @@ class Remesher {
     result_.diagram = editor_->diagram();
   }
 
-  /// Adds generators on creases. They come before repairs, which they often make needless. False where none is added.
+  /// Adds generators on creases. They come before repairs, because they often make repairs unnecessary. False if none
+  /// is added.
   bool follow_creases() {
     const std::int64_t room = decimated_ ? 0 : max_added_ - result_.added;
     const std::vector<SurfacePoint> points = creases_.propose(result_.diagram, room);
@@ -258,12 +260,12 @@ class Remesher {
     result_.added += std::ssize(points);
   }
 
-  /// How many vertices a mesh without defects lacks of those asked for; below 0 where it has more.
+  /// How many more vertices were asked for than there are generators; below 0 if there are too many generators.
   std::int64_t missing() const {
     return options_.vertex_count ? *options_.vertex_count - std::ssize(result_.generators) : 0;
   }
 
-  /// Adds what the mesh lacks of the vertices asked for.
+  /// Adds the generators that are missing for the number of vertices asked for.
   void fill() {
     const auto points = propose_farthest(mesh_, result_.diagram, missing());
     if (points.empty()) return refuse_count("there is no room for more generators");
@@ -309,7 +311,7 @@ class Remesher {
 
   bool is_assembly() const { return components_ > kMostOfBody; }
 
-  /// Why more generators are no way to a right dual, if they are none, or take too long.
+  /// Why more generators won't lead to a right dual, or not in time; nothing if they may.
   std::optional<DecimationCause> find_hopeless(const std::vector<DualDefect>& defects) const {
     const std::int64_t most_events =
         kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
@@ -318,7 +320,7 @@ class Remesher {
     if (result_.rounds - progress_round_ >= kStagnantRounds) return DecimationCause::work;
     const std::int32_t most_placements = is_assembly() ? kMaxAssemblyPlacements : kMaxPlacements;
     if (placements_ >= most_placements || events_ - earlier_events_ > most_events) return DecimationCause::work;
-    // Triangles that intersect are looked for only where nothing else is wrong: they say nothing of growth.
+    // Triangles that intersect are looked for only if nothing else is wrong, so their number says nothing about growth.
     const bool is_topology = defects.front().property < DualProperty::not_flipped;
     const bool has_grown = result_.rounds >= kGrowthRound && 2 * defects.size() > 3 * history_.front().second;
     const std::size_t generators = result_.generators.size();
@@ -330,8 +332,9 @@ class Remesher {
     return defect.cells.empty() ? defect.component : component_of(result_.generators[defect.cells.front().index()]);
   }
 
-  /// The defects of components that have been given as many generators as one of several may. Where more have none than
-  /// generators were given, these are too few for a dual of all.
+  /// The defects of components that have used up the generators that one component may be given. If more components
+  /// have no generator than generators were given, there are too few generators for a dual of all, and components
+  /// without one count as well.
   std::vector<DualDefect> find_spent(std::vector<DualDefect> defects) const {
     const auto is_unreached = [](const DualDefect& d) { return d.cells.empty(); };
     const bool are_too_few = std::count_if(defects.begin(), defects.end(), is_unreached) > given_count();
@@ -351,7 +354,8 @@ class Remesher {
     for (const std::int32_t c : components) ++rounds_of_[c];
   }
 
-  /// Who asks for an exact number of vertices, for the given generators alone or for a limit may be refused.
+  /// Whether components may be decimated. A user who asks for an exact number of vertices, for the given generators
+  /// alone or for a limit gets a refusal instead.
   bool may_decimate() const {
     return options_.may_decimate && options_.refine && !options_.vertex_count && !options_.max_added;
   }
@@ -373,7 +377,7 @@ class Remesher {
     replace_decimated();
   }
 
-  /// The same for the component of a vertex alone, where generators have no room.
+  /// The same for the one component of a vertex around which generators have no room.
   void decimate_around(VertexId vertex, std::vector<DualDefect> defects) {
     const std::int32_t chosen = component_[Mesh::face(mesh_.halfedge(vertex))];
     std::erase_if(defects, [&](const DualDefect& d) { return component_of(d) != chosen; });
@@ -390,7 +394,8 @@ class Remesher {
     }
   }
 
-  /// Puts the vertices of decimated components in the place of all generators there. They come before those added.
+  /// Replaces all generators of decimated components by the components' vertices, which come before the added
+  /// generators.
   void replace_decimated() {
     decimated_->decimate(options_.diagram.progress);
     const auto is_decimated = [&](const SurfacePoint& point) { return decimated_->has(point); };
@@ -406,7 +411,7 @@ class Remesher {
     editor_.reset();
   }
 
-  /// Raises the default limit, once, if the raised one is likely to do.
+  /// Raises the default limit, once, if the raised limit is likely to be enough.
   void raise_limit() {
     const MeshSummary summary = compute_mesh_summary(mesh_);
     const std::int64_t usual = default_max_added(summary, given_count());
@@ -436,12 +441,12 @@ class Remesher {
 
   std::int64_t given_count() const { return std::ssize(result_.generators) - result_.added; }
 
-  /// Whether fewer generators are looked for. Those that were added on creases stay.
+  /// Whether a search for fewer generators is worth its time. Generators that were added on creases stay.
   bool is_worth_searching() const {
     return double(result_.added - creases_.added()) > kWorthSearching * double(given_count());
   }
 
-  /// `share`: of the work that the other diagrams take, for the search.
+  /// `share` limits the work of the search, as a fraction of the work of the other diagrams.
   GeneratorSearch search(std::size_t kept, double share) {
     enter(RemeshStage::search);
     const auto least = std::size_t(options_.vertex_count.value_or(0));
@@ -454,7 +459,7 @@ class Remesher {
             [this](const std::vector<SurfacePoint>& generators) { return take_if_right(generators); }};
   }
 
-  /// What may follow a right dual of the whole surface.
+  /// Improves a right dual of the whole surface.
   void improve() {
     if (is_worth_searching()) search_fewer();
     if (missing() < 0) exchange();
@@ -467,7 +472,7 @@ class Remesher {
     result_.added = std::ssize(result_.generators) - given;
   }
 
-  /// Leaves out given generators for those that were added.
+  /// Removes given generators to make room for those that were added.
   void exchange() {
     const std::vector<SurfacePoint> before = result_.generators;
     const std::int64_t given = given_count(), count = *options_.vertex_count;
@@ -492,8 +497,8 @@ class Remesher {
     return take_if(generators, [](const Mesh&) { return true; });
   }
 
-  /// Makes the result that of these generators if their dual has no defect, edges follow as much of the creases, and
-  /// the mesh is accepted.
+  /// Replaces the result by that of these generators if their dual has no defect, edges follow as much of the creases
+  /// as before, and the mesh is accepted.
   template <class IsAccepted>
   bool take_if(const std::vector<SurfacePoint>& generators, IsAccepted is_accepted) {
     Diagram diagram = compute_diagram(mesh_, generators, options_.diagram);

@@ -1,7 +1,7 @@
 // A round of a remesh: the triangles of a diagram's dual, the mesh that they make, and the defects in the way.
 //
-// The triangles of decimated components take the place of the dual there. Vertices are placed where nothing else is
-// wrong, and triangles that intersect are defects then, but where the surface intersects itself.
+// The triangles of decimated components take the place of the dual there. Vertices are placed if nothing else is wrong.
+// Triangles that intersect afterwards are defects, unless the surface intersects itself there.
 #include "remesh_round.hpp"
 
 #include <fmt/format.h>
@@ -23,9 +23,9 @@
 namespace gvd {
 namespace {
 
-/// Up to this round, flipped triangles are looked for only where the dual has no other defect. The repair of the others
-/// often removes them. A remesh that takes more rounds would repair the two kinds in turns. Nine of ten
-/// remeshes end before.
+/// Up to this round, flipped triangles are looked for only if the dual has no other defect, because the repair of other
+/// defects often removes them. Later rounds repair both kinds together, because a remesh that takes so long would
+/// otherwise repair them in turns. Nine of ten remeshes end earlier.
 constexpr std::int32_t kRoundsWithoutFlips = 12;
 
 }  // namespace

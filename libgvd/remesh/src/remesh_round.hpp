@@ -29,28 +29,29 @@ struct RemeshRound {
 /// Makes the rounds of a remesh from diagrams.
 class RoundMaker {
  public:
-  /// `fixed`: the points of generators whose vertices stay, in their order. `decimated`: once there are such
+  /// `fixed` are the points of generators whose vertices stay, in their order. `decimated` is set once there are such
   /// components. All must outlive this.
   RoundMaker(const Mesh& mesh, const RemeshOptions& options, const std::vector<SurfacePoint>& fixed,
              const std::optional<DecimatedComponents>& decimated)
       : mesh_(mesh), options_(options), fixed_(fixed), decimated_(decimated) {}
 
-  /// The round of a diagram, with the vertices at the generators, and the defects of the dual and flipped triangles.
-  /// `number`: of the round, from 1 on.
+  /// The round of a diagram, with the vertices at the generators, and with the defects of the dual and the flipped
+  /// triangles. `number` counts rounds from 1.
   RemeshRound build(const Diagram& diagram, std::int32_t number) const;
 
   /// Moves the vertices of a round without defects as the options say; its defects are then triangles that intersect.
   void place(const Diagram& diagram, RemeshRound& round);
 
  private:
-  /// Triangles with an edge of length 0: generators on the two sides of a slit can have the same position while they
+  /// Triangles with an edge of length 0. Generators on the two sides of a slit can have the same position although they
   /// are far apart on the surface.
   std::vector<DualDefect> find_coincident_corners(const Diagram& diagram, const DualMesh& dual) const;
   /// The generators on curves that edges follow.
   std::vector<GeneratorId> list_on_curves(const Diagram& diagram) const;
-  /// Leaves decimated components out of the dual.
+  /// Removes decimated components from the dual.
   void leave_out_decimated(const Diagram& diagram, RemeshRound& round) const;
-  /// Vertices of decimated components stay where the input has them: their faces may be folded as the input's are.
+  /// Vertices of decimated components stay where the input has them, because their faces may be folded as the input's
+  /// are.
   void add_decimated(const Diagram& diagram, std::vector<GeneratorId>& fixed) const;
   void append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,
                         std::vector<SurfacePoint>& face_points) const;

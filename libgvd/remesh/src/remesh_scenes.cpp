@@ -1,8 +1,8 @@
 // The pictures of a remesh on a page: the remesh, the same before placement, the input, and the diagram.
 //
 // Remesh and input show their distances from each other by one scale of colours, so that they can be compared. The
-// scale ends at a few RMS distances, since the largest distance would leave all others with similar colours. Distances
-// are measured anew at the points that a page shows; the figures are those of the result.
+// scale ends at a few RMS distances, because the largest distance would leave all others with similar colours.
+// Distances are measured anew at the points that a page shows; the figures are those of the result.
 #include "gvd/remesh_scenes.hpp"
 
 #include <fmt/format.h>
@@ -100,7 +100,7 @@ class DistanceScenes {
     return scene;
   }
 
-  /// The distances of the scene's surface from `other`, and that one as an overlay.
+  /// Adds the distances of the scene's surface from `other`, and `other` as an overlay.
   void add_other(ViewScene& scene, const Mesh& other, const char* name, const char* overlay) const {
     const double rms = std::max(result_.input_to_output.rms, result_.output_to_input.rms);
     const double largest = std::max(result_.input_to_output.hausdorff, result_.output_to_input.hausdorff);

@@ -1,8 +1,8 @@
 // A remesh from its options: the start, the relaxation, the remesh, and the searches over several of them.
 //
 // Sampled generators are relaxed first; listed ones stay where they are. The diagram of the relaxation's last iteration
-// is that of the remesh. Exact numbers of vertices and bounds on the distance are searched for, each try a whole
-// remesh.
+// is that of the remesh. An exact number of vertices or a bound on the distance takes a search, in which each trial is
+// a whole remesh.
 
 #include "gvd/remesh_surface.hpp"
 
@@ -21,27 +21,28 @@
 namespace gvd {
 namespace {
 
-/// With an exact number, the fraction of the generators that may be exchanged before a start with fewer is tried.
+/// With an exact number, the fraction of the generators that may be exchanged before a start with fewer generators is
+/// tried.
 constexpr double kFewExchanged = 0.03;
 
-/// The fraction of the generators that a start has fewer where the exchange has not made enough room.
+/// How much smaller that start is, as a fraction of the generators, if the exchange has not made enough room.
 constexpr double kFewerStart = 0.2;
 
-/// Copies that generators are relaxed on, wherever these have at most half of the mesh's faces. Measured with five
-/// seeds on nine models (docs/notes/performance.md).
+/// The size of the copies on which generators are relaxed, if a copy has at most half of the mesh's faces. Chosen with
+/// five seeds on nine models (docs/notes/performance.md).
 constexpr CopySize kRemeshCopySize{1'500, 20'000, 8};
 
-/// Smaller meshes have no copy by default where generators follow curves: with 500 generators, the least angle of the
-/// fandisk was 23 degrees instead of 28. These are means of five seeds.
+/// Smaller meshes have no copy by default if generators follow curves: on a copy, the least angle of the fandisk with
+/// 500 generators is 23 degrees instead of 28 (means of five seeds).
 constexpr std::int64_t kCurvesAbove = 300'000;
 
-/// Generators on the boundary do not move on a copy. With a larger share of them a copy is a loss: of the lion's 500
-/// generators a tenth moves along the boundary, and H is 1.6 % of the diagonal with a copy, 1.2 % without. The bunny
-/// has 4 of 100 there, and is as good with a copy.
+/// Generators on the boundary do not move on a copy. If more than this fraction of them is on the boundary, a copy
+/// makes the result worse: a tenth of the lion's 500 generators moves along the boundary, and its Hausdorff distance is
+/// 1.6 % of the diagonal with a copy and 1.2 % without. The bunny has 4 of 100 there, and is as good with a copy.
 constexpr double kMostOnBoundary = 0.08;
 
-/// Whether a larger share of `count` generators would move along the boundary, if all are spread evenly. Three of each
-/// loop are fixed.
+/// Whether a larger fraction of `count` generators would move along the boundary if all are spread evenly. Three of
+/// each loop are fixed.
 bool has_long_boundary(const Mesh& mesh, std::int32_t count) {
   double length = 0;
   for (const EdgeId e : mesh.edges()) length += mesh.is_boundary(e) ? mesh.length(e) : 0;
@@ -49,7 +50,7 @@ bool has_long_boundary(const Mesh& mesh, std::int32_t count) {
   return on_boundary - 3 * compute_mesh_summary(mesh).boundary_loops > kMostOnBoundary * count;
 }
 
-/// Whether generators are on creases inside of the surface. They do not move on a copy.
+/// Whether generators are on creases inside the surface. They do not move on a copy.
 bool follows_creases(const Mesh& mesh, const RelaxationStart& start) {
   for (std::size_t i = 0; i < start.freedom.size(); ++i) {
     if (start.freedom[i] == Freedom::on_crease && !is_on_boundary(mesh, start.points[i])) return true;
@@ -57,9 +58,9 @@ bool follows_creases(const Mesh& mesh, const RelaxationStart& start) {
   return false;
 }
 
-/// A needle is longer than this many times its height. Where so many faces are needles, paths cross many of them, and a
-/// diagram takes as long as twenty others of as many faces: so many iterations have to do, if nobody asks for more.
-/// Meshes of fewer faces take no more than seconds for all iterations.
+/// A needle is longer than this many times its height. If such a fraction of the faces are needles, paths cross many of
+/// them, and a diagram takes as long as twenty diagrams of ordinary meshes of that size. Then there are only so many
+/// iterations, unless the caller asks for more. Meshes of fewer faces take only seconds for all iterations.
 constexpr double kNeedle = 1000, kNeedleShare = 0.2;
 constexpr std::int32_t kNeedleFaces = 4096;
 constexpr std::int32_t kNeedleIterations = 3;
@@ -88,7 +89,7 @@ class SurfaceRemesher {
     return std::nullopt;
   }
 
-  /// Makes the mesh, with so many vertices where that is not the number of the generators. Returns why there is none.
+  /// Makes the mesh, with `vertex_count` vertices if that is given. Returns why there is none.
   std::optional<Error> remesh(std::optional<std::int64_t> vertex_count) {
     RemeshOptions& used = made_.options;
     if (vertex_count) used.vertex_count = vertex_count;
@@ -101,7 +102,7 @@ class SurfaceRemesher {
     return std::nullopt;
   }
 
-  /// What has been made so far.
+  /// The parts that have been made so far.
   SurfaceRemesh& made() { return made_; }
 
  private:
@@ -113,7 +114,8 @@ class SurfaceRemesher {
 
   RelaxationStartOptions start_options() const {
     RelaxationStartOptions asked = options_.start;
-    // Most are added opposite generators that the relaxation moves to gaps. With an exact number, there are none.
+    // Most generators are added opposite others, and the relaxation moves these to gaps. With an exact number, there
+    // are none.
     asked.constraints.leaves_room = options_.may_add() && options_.iterations() > 0 && !options_.exact_count;
     // A remesh that may add no generators can't follow creases that need more.
     if (!options_.may_add() && asked.constraints.prefers_creases) {
@@ -160,7 +162,7 @@ class SurfaceRemesher {
     made_.start.points = made_.relaxation->generators;
   }
 
-  /// A fit would pull the vertex at the end of a thin limb back, or push it too far out: those are fixed.
+  /// Fixes the vertices at the ends of thin limbs, which a fit would pull back or push too far out.
   std::vector<Freedom> freedom_of_vertices() const {
     std::vector<Freedom> freedom = made_.start.freedom;
     if (!made_.relaxation || made_.relaxation->extremities.empty()) return freedom;
@@ -218,8 +220,8 @@ Attempt attempt(const Mesh& mesh, const SurfaceRemeshOptions& options, std::opti
   return attempt;
 }
 
-/// A remesh of exactly as many vertices from fewer generators, where many have to make room for those added: then all
-/// but the added ones are spread evenly. Nothing where the first attempt needs no other.
+/// A remesh of the exact number of vertices from fewer generators, if many have to make room for added ones: then all
+/// but the added ones are spread evenly. Empty if the first attempt needs no other.
 Attempt attempt_with_fewer(const Mesh& mesh, const SurfaceRemeshOptions& options, const Attempt& first) {
   if (!first.vertex_count) return {};
   const auto wanted = static_cast<double>(*first.vertex_count);
@@ -242,11 +244,11 @@ Attempt attempt_both(const Mesh& mesh, const SurfaceRemeshOptions& options) {
   return is_better ? std::move(second) : std::move(first);
 }
 
-/// Numbers of vertices that are tried in place of one that has failed: each costs up to three remeshes.
+/// How many numbers of vertices are tried in place of one that has failed. Each costs up to three remeshes.
 constexpr int kTriedCounts = 3;
 
-/// A number of vertices with which an exact number works, since it was tried: as many as the mesh gets without that
-/// wish. Nothing where none of a few works.
+/// Finds a number of vertices that works as an exact number, by trying the number that the mesh gets without that
+/// option. Nothing if none of a few numbers works.
 std::optional<std::int32_t> find_exact_count(const Mesh& mesh, const SurfaceRemeshOptions& options) {
   if (options.start.sampling.kind == Sampling::covering_radius) return std::nullopt;
   SurfaceRemeshOptions tried = options;
@@ -318,7 +320,7 @@ class CountSearch {
       const RemeshResult& result = tried.made->result;
       return std::max(result.input_to_output.hausdorff_bound, result.output_to_input.hausdorff_bound);
     }
-    // Numbers with which nothing was found before would take long, but for one that is out of range.
+    // If not even smaller numbers gave a mesh, larger ones would take long. A number out of range does not count.
     if (tried.failure->code() == ErrorCode::no_valid_result && !has_result_) refuse(mesh_, options_, tried);
     last_failure_ = tried.failure;
     return std::numeric_limits<double>::infinity();

@@ -30,8 +30,8 @@ enum class DualProperty {
   no_self_intersection = 11,
 };
 
-/// One failure of a property, for a cell, a pair or triple of cells, or a branch point. Two triangles that intersect
-/// are two defects, one for the branch point of each.
+/// A property that fails for a cell, a pair or triple of cells, or a branch point. Two triangles that intersect are two
+/// defects, one for each branch point.
 struct DualDefect {
   DualProperty property{};
   std::string message;             ///< one line: the property's number, the elements and the position
@@ -58,37 +58,39 @@ DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
 ///  (1) every component of the mesh has a generator;
 ///  (2) every cell is a disc: connected, of Euler characteristic 1;
 ///  (3) every cell touches the mesh's boundary nowhere or in one arc;
-///  (4) every bisector ends in a branch point at one end at least: its dual edge has a face;
+///  (4) every bisector has a branch point at one of its ends, so that its dual edge has a face;
 ///  (5) two cells share at most one bisector;
 ///  (6) two branch points do not have the same cells;
-///  (7) every cell has at least three neighbours, two where it touches the mesh's boundary;
+///  (7) every cell has at least three neighbours, or two if it touches the mesh's boundary;
 ///  (8) the cells round a branch point are all different;
-///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new.
-/// If all hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property
-/// (10), that no triangle is flipped, and `find_self_intersections` (11), that no two triangles intersect.
-/// The diagram must be sound (see check_diagram), and `dual` that of build_dual. The defects ascend by property. Never
-/// throws on a finding. Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
+///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new. If all
+/// hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property (10),
+/// that no triangle is flipped, and `find_self_intersections` (11), that no two triangles intersect. The diagram must
+/// be sound (see check_diagram), and `dual` must be the result of build_dual for it. The defects are sorted by
+/// property. A defect never causes an exception. Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual);
 
-/// A triangle counts as flipped unless the cosine between its normal and the surface's exceeds this value. It counts as
-/// degenerate unless twice its area exceeds this fraction of its longest edge squared. A million times the rounding.
+/// A triangle is flipped unless the cosine of the angle between its normal and the surface's exceeds this value, and
+/// degenerate unless twice its area exceeds this fraction of its longest edge squared. The value is a million times the
+/// rounding of these quotients.
 inline constexpr double kFlipTolerance = 1e-9;
 
-/// A face with a smaller Q is a sliver. An isosceles one has its apex at a distance of 6e-4 of its base: its normal is
-/// of no use in single precision. The least Q of nine models with 100 to 2000 vertices is 0.17.
+/// A face with a smaller Q is a sliver. The apex of an isosceles triangle with this Q is 6e-4 of the base's length away
+/// from the base, so that its normal is meaningless in single precision. Ordinary remeshes stay far above: the least Q
+/// of nine models with 100 to 2000 vertices is 0.17.
 inline constexpr double kSliverQ = 1e-3;
 
-/// Faces of a remesh that are flipped against the surface or degenerate, ascending. A triangle of the surface itself is
-/// neither: a part of the input that no remesh can improve is kept as it is (RemeshResult::decimated).
+/// The faces of a remesh that are flipped against the surface or degenerate, ascending. A triangle of the surface
+/// itself never counts, because decimated components keep triangles of the input as they are (RemeshResult::decimated).
 ///
 /// The surface's normal is the mean of its unit normals at the face's three generators and at its branch point
-/// (gvd/surface_point.hpp); see kFlipTolerance. `generators`: of every vertex of `remesh`. `face_points`: the branch
-/// point of every face. Cost: O(k).
+/// (gvd/surface_point.hpp); see kFlipTolerance. `generators` has a generator for every vertex of `remesh`, and
+/// `face_points` the branch point of every face. Cost: O(k).
 std::vector<FaceId> find_flipped_faces(const Mesh& surface, const Mesh& remesh,
                                        const std::vector<SurfacePoint>& generators,
                                        const std::vector<SurfacePoint>& face_points);
 
-/// find_flipped_faces for the triangles of a dual, by index, ascending. The dual may have other defects. Cost: O(k).
+/// The same for the triangles of a dual, as indices, ascending. The dual may have other defects. Cost: O(k).
 std::vector<std::size_t> find_flipped_triangles(const Mesh& surface, const Diagram& diagram, const DualMesh& dual);
 
 }  // namespace gvd

@@ -20,7 +20,7 @@
 
 namespace gvd {
 
-/// The stages of a remesh. The first two make a round; where the dual has no defect, the third one follows.
+/// The stages of a remesh. The first two make up a round; if the dual has no defect, the third one follows.
 enum class RemeshStage {
   diagram,    ///< computes the diagram
   dual,       ///< checks its dual, and adds generators or builds the mesh
@@ -32,45 +32,46 @@ enum class RemeshStage {
 struct RemeshOptions {
   DiagramOptions diagram;  ///< its progress callback serves the whole run
   bool refine = true;      ///< add generators if the dual of the given ones is not a proper mesh; otherwise throw
-  /// The largest number of generators to add, >= 0. Without a value: default_max_added, and three times as many where
-  /// the numbers of defects so far let these be enough.
+  /// The largest number of generators to add, >= 0. If it is not set, default_max_added; that is raised to three times
+  /// as many if the defects so far suggest that this will be enough.
   std::optional<std::int64_t> max_added;
-  /// The number of vertices that the mesh shall have, >= 1; without a value as many as it needs. For generators that
-  /// are added, given ones are left out where the dual can do without them, but none of the first `kept` and
-  /// none that `placement` fixes.
+  /// The exact number of vertices of the mesh, >= 1. If it is not set, the mesh has as many as it needs. To make room
+  /// for added generators, given ones that the dual does not need are left out, but none of the first `kept` and none
+  /// that `placement` fixes.
   std::optional<std::int64_t> vertex_count;
   std::size_t kept = 0;
-  /// Number of diagrams that a relaxation has computed before. The work of searches is limited in proportion to that of
-  /// the other diagrams, these included.
+  /// The number of diagrams that a relaxation has computed before. The work of searches is limited in proportion to the
+  /// work of all other diagrams, including these.
   std::int64_t earlier_diagrams = 0;
-  /// Where more generators don't repair the dual of a component, or take too long, its own triangles, decimated, take
-  /// its place: given generators there are no vertices then. Only with `refine`, and without `max_added` and
-  /// `vertex_count`.
+  /// Whether a component becomes its own triangles, decimated, if more generators don't repair its dual or take too
+  /// long. The given generators there are then no vertices. Has an effect only with `refine`, and without `max_added`
+  /// and `vertex_count`.
   bool may_decimate = false;
-  /// Accept faces that intersect each other. Without it, generators are added near them as near other defects; faces
-  /// that inherit their intersection from the input (find_inherited) are always accepted.
+  /// Whether faces may intersect each other. Otherwise generators are added near them as near other defects. Faces that
+  /// inherit their intersection from the input (find_inherited) are always accepted.
   bool allow_intersections = false;
-  /// Curves that the dual's edges shall follow: creases, and the boundary (trace_creases). With `refine`,
-  /// generators are added on them where cells of others come between, and where long edges would cut off bends of
-  /// creases. `max_added` counts them, and at most one for each given generator and 100 more are added.
+  /// Curves that the dual's edges should follow: creases, and the boundary (trace_creases). With `refine`, generators
+  /// are added on a curve where other cells interrupt it, and where a long edge would cut off a bend of a crease. They
+  /// count towards `max_added`, and there are at most 100 more of them than given generators.
   std::vector<CreaseCurve> creases;
-  /// Where the vertices are. `fixed`: ids of given generators. Its `threads` and `progress` are those of `diagram`.
+  /// Where the vertices are. `fixed` has ids of given generators. Its `threads` and `progress` are ignored for those of
+  /// `diagram`.
   PlacementOptions placement;
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
 };
 
-/// The default of `max_added`: ten for each given generator, component, boundary loop and handle, and 100 more. Why
-/// these: a sphere needs four vertices and a boundary loop three. A handle needs at most three on each of two loops,
-/// and a thin limb three on each loop round it.
+/// The default of `max_added`: ten for each given generator, component, boundary loop and handle, and 100 more. A
+/// sphere needs four vertices, a boundary loop three, a handle at most three on each of two loops, and a thin limb
+/// three on each loop around it.
 std::int64_t default_max_added(const MeshSummary& mesh, std::size_t generators);
 
-/// After so many rounds no repair follows. Rounds that add generators on creases count; the diagrams of parts of the
-/// mesh and those of a search do not. Measured on 850 remeshes of real meshes with 1 to 300 generators. Those
-/// that succeeded took at most 50 rounds, and nine of ten of them at most 12.
+/// The largest number of rounds. Rounds that add generators on creases count; diagrams of parts of the mesh and
+/// diagrams of a search do not. In 850 remeshes of real meshes, the successful ones took at most 50 rounds, and nine of
+/// ten at most 12.
 inline constexpr std::int32_t kMaxRemeshRounds = 60;
 
-/// Why a component of the surface is no dual.
+/// Why a component of the remesh is not a dual.
 enum class DecimationCause {
   growth,      ///< more defects from round to round: it is finer than the spacing of the generators nearly everywhere
   work,        ///< its repair takes too long
@@ -79,7 +80,7 @@ enum class DecimationCause {
   no_room,     ///< every point for a new generator is too close to another one
 };
 
-/// Components of the surface without a proper dual: they are the input's own triangles, decimated.
+/// The components of the surface that have no proper dual. They consist of the input's own triangles, decimated.
 struct DecimatedParts {
   std::int64_t components = 0;
   std::map<DecimationCause, std::int64_t> causes;  ///< how many components have each
@@ -115,32 +116,32 @@ struct RemeshResult {
 
 /// The coarse mesh whose vertices are the generators and whose triangles are the branch points of their diagram.
 ///
-/// While the dual of the generators is not a proper mesh, generators are added near its defects, and the diagram is
-/// computed again. check_dual, find_flipped_faces and find_self_intersections tell the defects; docs/guide/remesh.md
-/// says where they go. The vertices are moved off their generators as `placement` says. A search follows where more
-/// than a tenth of the given generators was added, those on creases not counted. Added generators that the mesh can do
-/// without are left out again, but none on creases. One is put in the place of two where that will do. No given
-/// generator is moved, and none is removed without `vertex_count` or `may_decimate`. At last, generators are added
-/// where that leaves fewer slivers.
+/// As long as the dual of the generators is not a proper mesh, generators are added near its defects, and the diagram
+/// is computed again. check_dual, find_flipped_faces and find_self_intersections find the defects, and
+/// propose_generators says where the new generators go. Then the vertices move off their generators as `placement`
+/// says. If more than a tenth as many generators were added as given, not counting those on creases, a search removes
+/// added generators that the mesh does not need, and replaces two by one where one is enough. Finally, generators are
+/// added where that leaves fewer slivers.
 ///
 /// A bisector that ends on the boundary of the mesh becomes a boundary edge. The coarse boundary therefore passes
-/// through the generators whose cells touch the boundary. It lies inside the surface unless these are on the boundary,
-/// or the vertices are placed there.
+/// through the generators whose cells touch the boundary, and lies inside the surface unless these generators are on
+/// the boundary or their vertices are placed there.
 ///
-/// Properties: (1) the certificate of a result is ok; (2) with Placement::generator vertex i is at generator i, bit by
-/// bit; (3) deterministic.
-/// Throws Error{no_valid_result} if no proper mesh is found with `max_added` generators, kMaxRemeshRounds, without
-/// `refine`, or with `vertex_count`. It names the failing property and its position. Throws Error{invalid_option} for a
-/// negative `max_added`, and what check_placement and compute_diagram throw. Cost: one diagram a round, and some tens
-/// of rounds for the hardest surfaces.
+/// Properties: (1) the certificate of a result is ok; (2) with Placement::generator, vertex i is at generator i, bit by
+/// bit; (3) no given generator is moved, and none is removed without `vertex_count` or `may_decimate`; (4)
+/// deterministic, for any number of threads. Throws Error{no_valid_result} if no proper mesh is found within the limits
+/// of `max_added`, kMaxRemeshRounds, `refine` and `vertex_count`; the message names the property that fails and where.
+/// Throws Error{invalid_option} for a negative `max_added`, and what check_placement and compute_diagram throw. Cost:
+/// one diagram for each round; the hardest surfaces take some tens of rounds. Source: the dual of geodesic cells as a
+/// remesh is that of Peyré and Cohen, Geodesic remeshing using front propagation, 2006.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
-/// remesh where the diagram of the given generators is known, as after a relaxation: one diagram less. `diagram` must
-/// be that of `mesh` with `options.diagram`. Throws Error{precondition} also where it has not the mesh's vertices and
-/// faces.
+/// The same for a known diagram of the given generators, such as the last one of a relaxation, which saves a diagram.
+/// `diagram` must be the diagram of `mesh` with `options.diagram`. Throws Error{precondition} if its numbers of
+/// vertices and faces are not the mesh's.
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
 
-/// Both, and the Error{no_valid_result} is returned.
+/// Both doors, with the Error{no_valid_result} returned instead of thrown.
 OrError<RemeshResult> try_to_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                     const RemeshOptions& options = {});
 OrError<RemeshResult> try_to_remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});

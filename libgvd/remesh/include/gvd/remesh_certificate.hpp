@@ -44,10 +44,13 @@ struct RemeshCertificate {
 };
 
 /// Compares a remesh with its surface. Vertex i stands for generator i of the diagram, and `face_points` are the branch
-/// points of the faces. Of the diagram, only the generators count where no faces intersect. `threads` (0: one a core)
-/// changes no result. `decimated_faces`: so many of the last faces are those of decimated components
-/// (RemeshResult::decimated), for whose pairs fewer conditions hold. Never throws on a finding.
-/// Cost: O(n log n), and where the remesh intersects itself as much for the pairs of the surface.
+/// points of the faces. Cells and bisectors of the diagram matter only if faces of the remesh intersect. The last
+/// `decimated_faces` faces belong to decimated components (RemeshResult::decimated), for whose pairs fewer conditions
+/// hold.
+///
+/// Properties: (1) every figure is measured on the returned mesh, and none is taken from the algorithm that made it;
+/// (2) the result does not depend on `threads` (0: one for each core); (3) a property that fails never causes an
+/// exception. Cost: O(n log n), and as much again for the pairs of the surface if the remesh intersects itself.
 RemeshCertificate certify_remesh(const Mesh& surface, const Diagram& diagram, const Mesh& remesh,
                                  const std::vector<SurfacePoint>& face_points, int threads = 0,
                                  std::int64_t decimated_faces = 0);

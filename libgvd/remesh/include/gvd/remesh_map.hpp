@@ -27,21 +27,22 @@ struct RemeshMap {
 
 /// Maps every vertex of the surface to a point of its remesh, and every vertex of the remesh to a point of the surface.
 ///
-/// The surface is cut into the cells of the remesh's diagram. Each cell is flattened by a convex combination map onto
-/// its vertex's part of the remesh before its edges were flipped, and flips are followed as if each had the two halves
-/// of a square. That part is bounded by the triangles' centres, near the branch points, and by the edges' crossings
-/// with the bisectors. A remesh's vertex comes from the nearest point of its cell, or, if that is near the cell's
-/// border, from its generator. docs/developer/proofs.md has the proof that this is one-to-one, and its conditions,
-/// which are checked. The cells are discs and join as the remesh's triangles do. No triangle is turned round or without
-/// area in the plane. `points` and `origins` are the map's and its inverse's but for rounding.
+/// The surface is cut into the cells of the remesh's diagram. A convex combination map flattens each cell onto its
+/// vertex's part of the dual, which is bounded by points near the branch points and by the points where bisectors cross
+/// edges. Flips of edges are then followed as if the two faces were the halves of a square. A vertex of the remesh
+/// comes from the nearest point of its cell or, if that point is near the cell's border, from its generator.
+/// docs/developer/proofs.md proves that this map is one-to-one under two conditions, which are checked: the cells are
+/// discs and join as the triangles of the dual do, and no triangle is turned over or loses its area in the plane.
+/// `points` are values of the map, and `origins` values of its inverse, up to rounding.
 ///
-/// Where a check fails, `one_to_one` is false. Then a vertex goes to the nearest point of the triangles at its cell's
-/// vertex and at that vertex's neighbours. A vertex at the boundary goes to the nearest of their boundary edges.
-/// Triangles that are turned away from the surface there count only if there are no others. Several vertices may have
-/// one point. A vertex of the remesh comes from its generator.
+/// If a check fails, `one_to_one` is false. Then a vertex goes to the nearest point of the triangles at its cell's
+/// vertex and at the neighbours of that vertex, and a boundary vertex to the nearest of their boundary edges. Triangles
+/// that face away from the surface are used only if there are no others. Several vertices may have the same point, and
+/// a vertex of the remesh comes from its generator.
 ///
-/// The counts take the triangle of its corners' points as a face's image: turned round if 90 degrees or more from the
-/// sum of the remesh's normals there. A one-to-one map may bend a face so, but reverses no part of it.
+/// For the counts, the image of a face is the triangle of its corners' points. It is turned over if its normal is 90
+/// degrees or more away from the sum of the remesh's normals at these points. A one-to-one map may bend a face that
+/// much, but it reverses no part of it.
 ///
 /// Properties: (1) every vertex has a point; (2) of two limbs, or two sheets, that are close in space, it is on the
 /// right one; (3) a boundary vertex goes to the boundary, and one on the boundary comes from there; (4) a remesh's

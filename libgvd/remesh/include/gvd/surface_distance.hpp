@@ -13,7 +13,7 @@ struct SurfaceDistance {
   double rms = 0;              ///< root of the mean square distance over the surface's area
 };
 
-/// The search for the largest distance ends where the bound exceeds the distance found by no more than this fraction of
+/// The search for the largest distance ends once the bound exceeds the distance found by no more than this fraction of
 /// it. Dimensionless.
 inline constexpr double kHausdorffTolerance = 0.01;
 /// The tolerance for surfaces that agree, as a fraction of the bounding box's diagonal.
@@ -21,13 +21,15 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 
 /// Distances of the points of `from` from `to`: one of the two directions.
 ///
-/// Each face of `from` is cut into equal triangles. In all they are at least 2^15, or eight for each face of the two
-/// meshes where that is less. RMS: a rule that is exact for quadratic functions sums the squares over them. Hausdorff
-/// distance: over a triangle, the distance from one face of `to` is convex, so its largest value is at a corner. That
-/// value bounds the distance from `to`. Triangles whose bound is above the largest distance found are cut, those with
-/// the largest bounds first, until none is left or 2^20 and four for each face of `from` were.
-/// Properties: (1) independent of `threads` (0: one a core); (2) invariant under rigid motions within rounding.
-/// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n triangles and m faces.
+/// Each face of `from` is cut into equal triangles, at least 2^15 in all, or eight for each face of the two meshes if
+/// that is less. The RMS sums square distances over these triangles by a rule that is exact for quadratic functions.
+/// For the Hausdorff distance, note that the distance from a single face of `to` is a convex function, so on a triangle
+/// it is largest at a corner, and that value bounds the distance from `to`. Triangles whose bound exceeds the largest
+/// distance found are cut, largest bound first, until none is left or 2^20 and four for each face of `from` have been
+/// cut.
+///  Properties: (1) the result does not depend on `threads` (0: one for each core); (2) it is invariant under rigid
+/// motions, up to rounding; (3) `hausdorff` <= the Hausdorff distance <= `hausdorff_bound`. Throws Error{precondition}
+/// if one of the meshes has no face. Cost: O(n log m) for n triangles and m faces.
 SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,
                                          const Progress& progress = {});
 
@@ -36,11 +38,11 @@ inline constexpr double kSampledTriangles = 1 << 16;
 
 /// Distances of vertices and points of the faces of `from` from `to`, for pictures.
 ///
-/// A face with the share a of the area is cut into k * k triangles. k is the square root of a * kSampledTriangles,
-/// rounded down, at least 1 and at most DistanceSamples::kMaxSteps.
-/// Properties: (1) a surface with many faces has no lattice, and no other one more than 1.5 * kSampledTriangles points;
-/// (2) independent of `threads` (0: one a core).
-/// Throws Error{precondition} where one of the two has no face. Cost: O(n log m) for n samples and m faces.
+/// A face with the fraction a of the area is cut into k * k triangles, where k is the square root of a *
+/// kSampledTriangles, rounded down, at least 1 and at most DistanceSamples::kMaxSteps. Properties: (1) a surface with
+/// many faces has no lattice, and no other one more than 1.5 * kSampledTriangles points;
+/// (2) independent of `threads` (0: one a core). Throws Error{precondition} if one of the meshes has no face. Cost: O(n
+/// log m) for n samples and m faces.
 DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,
                                         const Progress& progress = {});
 

@@ -1,11 +1,11 @@
 // The certificate of a remesh: what holds for the mesh that is returned.
 //
-// It is measured on the mesh alone, whatever made it: manifoldness by OpenMesh, topology by counting elements for each
-// component, orientation by the surface's normals, intersections by exact tests. Components correspond by their
-// generators, and topology is compared one by one: the errors of two components could cancel in a sum. Nothing here
-// throws on a finding; `first_failure` names it.
+// It is measured on the mesh alone, independently of the algorithm: manifoldness by OpenMesh, topology by counting
+// elements for each component, orientation by the surface's normals, intersections by exact tests. Components
+// correspond by their generators, and the topology is compared component by component, because the errors of two
+// components could cancel in a sum. A failure is not thrown; `first_failure` names it.
 
-// OpenMesh's vectors begin uninitialised; the warning comes where its templates are instantiated.
+// OpenMesh's vectors begin uninitialised, and the warning comes where its templates are instantiated.
 #if defined(__GNUC__) && !defined(__clang__)
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif

@@ -2,9 +2,9 @@
 //
 // Generators become vertices, bisectors edges and branch points faces. A branch point of k > 3 cells is a polygon,
 // which is cut into k - 2 triangles. `check_dual` tests properties (1) to (9) of gvd/dual.hpp on the diagram itself. If
-// they hold, the triangles form a simplicial complex with the topology of the surface; docs/developer/remesh.md tells
-// why. Where they do not, each defect names the cells round which a new generator helps.
-// Source: H. Edelsbrunner and N. Shah, Triangulating topological spaces, 1997: the closed ball property.
+// they hold, the triangles form a simplicial complex with the topology of the surface; docs/developer/remesh.md
+// explains why. If they do not, each defect names the cells around which a new generator helps. Source: H. Edelsbrunner
+// and N. Shah, Triangulating topological spaces, 1997: the closed ball property.
 
 #include "gvd/dual.hpp"
 

@@ -1,4 +1,4 @@
-// How defects of a dual are described: by their property, what is wrong, and where.
+// Describes the defects of a dual by their property, what is wrong, and where.
 #include "dual/dual_defects.hpp"
 
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 #include "gvd/ids.hpp"
 #include "gvd/vec.hpp"
 
-// How defects of a dual are described.
+// Descriptions of the defects of a dual.
 
 namespace gvd {
 

@@ -1,9 +1,9 @@
 // Signs of determinants of coordinate differences.
 //
-// A filter in doubles decides nearly all signs; where its error bound leaves one open, the determinant is summed
-// without rounding. So no test depends on a tolerance, and its answers never contradict each other.
-// Source: J. Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997:
-// Two-Sum, Grow-Expansion with zero elimination, and the error bounds of the filters.
+// A filter in doubles decides nearly all signs. If its error bound leaves a sign open, the determinant is summed
+// without rounding. So no test depends on a tolerance, and the answers never contradict each other. Source: J.
+// Shewchuk, Adaptive precision floating-point arithmetic and fast robust geometric predicates, 1997: Two-Sum,
+// Grow-Expansion with zero elimination, and the error bounds of the filters.
 #include "dual/exact_predicates.hpp"
 
 #include <algorithm>

@@ -10,7 +10,7 @@ namespace gvd {
 /// A sum of doubles without rounding. Exact unless a product underflows or overflows.
 class Expansion {
  public:
-  /// Cost: O(components), of which there are at most as many as calls.
+  /// Cost: O(components). There are at most as many components as there were calls.
   void add(double value);
 
   /// Adds a product of differences, each the sum of two doubles (see exact_difference).

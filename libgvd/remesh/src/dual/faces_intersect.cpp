@@ -1,6 +1,6 @@
 // Whether two faces of a mesh, or a segment and a triangle, intersect: exactly, by the signs of exact_predicates.cpp.
 //
-// Before that, quick tests find the faces that lie apart beyond doubt, which most do.
+// Before that, quick tests find most of the faces that certainly lie apart.
 #include "dual/faces_intersect.hpp"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 namespace gvd {
 namespace {
 
-/// A plane separates points beyond doubt where their distances from it, as products with its normal, differ by more
-/// than this fraction of both lengths. Rounding is some ten units in the last place. Dimensionless.
+/// A plane certainly separates points if their distances from it, as products with its normal, differ by more than this
+/// fraction of both lengths. Rounding is some ten units in the last place. Dimensionless.
 constexpr double kApart = 1e-12;
 
 Vec2 drop_axis(const Vec3& p, int axis) { return {p[(axis + 1) % 3], p[(axis + 2) % 3]}; }
@@ -33,8 +33,8 @@ bool segments_meet(const Vec2& p, const Vec2& q, const Vec2& a, const Vec2& b) {
          (abp == 0 && lies_between(a, b, p)) || (abq == 0 && lies_between(a, b, q));
 }
 
-/// Segments in one plane meet exactly where their projections along all three axes do. At least one projection maps the
-/// plane, or the common line, one to one.
+/// Segments in one plane meet if and only if their projections along all three axes do. At least one projection maps
+/// the plane, or the common line, one to one.
 bool segments_meet(const Vec3& p, const Vec3& q, const Vec3& a, const Vec3& b) {
   if (exact_orientation(p, q, a, b) != 0) return false;
   for (int axis = 0; axis < 3; ++axis) {
@@ -69,7 +69,7 @@ bool contains(const ProjectedTriangle& triangle, const Vec2& p) {
   return true;
 }
 
-/// segment_meets_triangle for a segment in the triangle's plane, and for any segment where the triangle is degenerate.
+/// segment_meets_triangle for a segment in the triangle's plane, and for any segment if the triangle is degenerate.
 bool flat_segment_meets(const Vec3& p, const Vec3& q, const Triangle& triangle) {
   const auto flat = project(triangle);
   if (flat && contains(*flat, drop_axis(p, flat->axis))) return true;
@@ -79,7 +79,7 @@ bool flat_segment_meets(const Vec3& p, const Vec3& q, const Triangle& triangle) 
   return false;
 }
 
-/// The corners of a face that are no corners of another one.
+/// The corners of a face that are not corners of another face.
 class OwnCorners {
  public:
   OwnCorners(const PlacedFace& f, const PlacedFace& g) {
@@ -108,8 +108,8 @@ bool lie_beside(const Triangle& triangle, std::span<const Vec3> points) {
   return first != 0 && std::all_of(points.begin() + 1, points.end(), [&](const Vec3& p) { return side(p) == first; });
 }
 
-/// Whether the first points lie beyond a plane with this normal, and the second ones before it, beyond doubt. `at`: any
-/// point, best on the plane.
+/// Whether the first points certainly lie beyond a plane with this normal, and the second ones before it. `at` may be
+/// any point; a point on the plane is best.
 bool are_parted(std::span<const Vec3> first, std::span<const Vec3> second, const Vec3& at, const Vec3& normal) {
   double least = kInfinity, most = -kInfinity, reach = 0;
   const auto height = [&](const Vec3& p) {
@@ -122,7 +122,7 @@ bool are_parted(std::span<const Vec3> first, std::span<const Vec3> second, const
   return least - most > kApart * std::sqrt(reach * normal.squaredNorm());
 }
 
-/// Whether two faces with one common vertex lie apart beyond doubt: on the two sides of a plane through it.
+/// Whether two faces with one common vertex certainly lie apart, on the two sides of a plane through it.
 bool lie_apart_at_vertex(const OwnCorners& first, const OwnCorners& second) {
   const Vec3& at = first.shared()[0];
   const auto mean_direction = [&](const OwnCorners& of) -> Vec3 {
@@ -133,7 +133,7 @@ bool lie_apart_at_vertex(const OwnCorners& first, const OwnCorners& second) {
   return are_parted(first.own(), vertex, at, normal) && are_parted(vertex, second.own(), at, normal);
 }
 
-/// Whether a plane through an edge of the first face, and normal to it, parts two faces beyond doubt.
+/// Whether a plane through an edge of the first face, and normal to the face, certainly separates the two faces.
 bool edge_parts(const Triangle& first, const Triangle& second) {
   const Vec3 normal = (first[1] - first[0]).cross(first[2] - first[0]);
   for (std::size_t i = 0; i < 3; ++i) {
@@ -143,7 +143,7 @@ bool edge_parts(const Triangle& first, const Triangle& second) {
   return false;
 }
 
-/// Whether two faces with a common edge lie beyond doubt on the two sides of a plane through it.
+/// Whether two faces with a common edge certainly lie on the two sides of a plane through it.
 bool lie_apart_at_edge(const OwnCorners& first, const OwnCorners& second) {
   const Vec3 &from = first.shared()[0], along = first.shared()[1] - from;
   const Vec3 u = first.own()[0] - from, v = second.own()[0] - from;
@@ -183,7 +183,7 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triang
   return *least >= 0 || *most <= 0;
 }
 
-// Flat surfaces have many faces in one plane near each other. Planes that part them spare exact determinants.
+// Flat surfaces have many faces in one plane near each other. Planes that separate them save exact determinants.
 bool faces_intersect(const PlacedFace& f, const PlacedFace& g) {
   const Triangle &first = f.corners, &second = g.corners;
   const OwnCorners of_first(f, g), of_second(g, f);

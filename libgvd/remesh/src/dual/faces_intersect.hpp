@@ -10,9 +10,9 @@ bool segment_meets_triangle(const Vec3& p, const Vec3& q, const Triangle& triang
 
 /// Whether two different faces have a common point outside of the vertex or edge that they share. Exact.
 ///
-/// Two faces of one edge intersect only where they are folded flat onto each other. Two faces of one vertex intersect
-/// where the opposite edge of one meets the other. Why: the common points of two faces are convex and hold the vertex,
-/// so they end on one of these edges. Two faces of the same three vertices intersect.
+/// Two faces that share an edge intersect only if they are folded flat onto each other. Two faces that share a vertex
+/// intersect if the opposite edge of one meets the other: their common points form a convex set that contains the
+/// vertex, and so reaches one of these edges. Two faces with the same three vertices intersect.
 bool faces_intersect(const PlacedFace& f, const PlacedFace& g);
 
 inline bool faces_intersect(const PlacedFaces& faces, FaceId f, FaceId g) {

@@ -12,11 +12,11 @@
 
 namespace gvd {
 
-/// Whether a triangle is degenerate, or flipped against a normal of any length: see kFlipTolerance. Cost: O(1).
+/// Whether a triangle is degenerate, or flipped against a normal of any length (kFlipTolerance). Cost: O(1).
 bool is_flipped(const Triangle& triangle, const Vec3& normal);
 
-/// Whether a face of a remesh is a triangle of the surface: its corners stand for those of the face in which its point
-/// lies, and are at them. `generators` and `face_points`: of the remesh. Cost: O(1).
+/// Whether a face of a remesh is a triangle of the surface: its corners stand for the corners of the face in which its
+/// point lies, and are at the same positions. `generators` and `face_points` belong to the remesh. Cost: O(1).
 bool is_surface_triangle(const Mesh& surface, const Mesh& remesh, FaceId face,
                          const std::vector<SurfacePoint>& generators, const std::vector<SurfacePoint>& face_points);
 

@@ -1,8 +1,8 @@
-// The pairs of faces of a remesh that may intersect, since the surface does where they are.
+// The pairs of faces of a remesh that may intersect, because the surface intersects itself there.
 //
-// Cells tell whether two sheets of the surface intersect each other at all; places in space, and the number of pairs
-// there, keep a single crossing of two slivers from excusing whatever folds near it. Each pair of the surface is taken
-// by one pair of the remesh, from a tree of boxes that it then leaves.
+// Cells tell whether two sheets of the surface intersect at all. Places in space, and the number of pairs there, keep a
+// single crossing of two slivers from excusing every fold near it. A pair of the surface excuses one pair of the
+// remesh, and then leaves the tree of boxes.
 #include "dual/inherited_intersections.hpp"
 
 #include <algorithm>
@@ -22,9 +22,8 @@
 namespace gvd {
 namespace {
 
-/// A line crosses 2.2 equilateral triangles for each of their sides in length, on the average over directions
-/// (Crofton). Where two surfaces meet along it, 4.4 pairs of triangles do. Twice as many allow for triangles that are
-/// not alike.
+/// On average over directions, a line crosses 2.2 equilateral triangles for each side length (Crofton). If two surfaces
+/// meet along it, 4.4 pairs of triangles meet for each side length. Twice as many allow for irregular triangles.
 constexpr double kPairsPerSpacing = 9;
 
 /// Triangles whose normals have a smaller sine between them are parallel: rounding hides where they cross.
@@ -93,7 +92,7 @@ class UntakenPairs {
     if (found != given_.end() && *found == pair) take_slot(slot_[found - given_.begin()]);
   }
 
-  /// Takes one that is at most so far from a box, if there is one.
+  /// Takes a pair that is at most so far from a box, if there is one.
   bool take_near(const Box3& box, double distance) {
     const auto is_near = [&](const Box3& other) { return other.squaredExteriorDistance(box) <= distance * distance; };
     const std::size_t slot = tree_.find(0, is_near);

@@ -12,8 +12,8 @@
 
 namespace gvd {
 
-/// A box round the points that two triangles have in common, if they have any. Near parallel ones get the common part
-/// of their boxes. Rounded: for distances, not for decisions whether triangles meet.
+/// A box around the points that two triangles have in common, if they have any. For nearly parallel triangles it is the
+/// intersection of their boxes. It is rounded, so it serves for distances and not to decide whether triangles meet.
 Box3 meeting_box(const Triangle& first, const Triangle& second);
 
 /// A remesh and what its vertices and faces stand for. Refers to all of it.
@@ -27,17 +27,19 @@ struct RemeshFaces {
   bool is_decimated(FaceId f) const { return f.value() >= remesh.face_count() - decimated_faces; }
 };
 
-/// The pairs of faces of a remesh that intersect because the surface does, ascending. All other ones are defects.
+/// The pairs of faces of a remesh that intersect because the surface does, ascending. All other pairs are defects.
 ///
-/// Two triangles of the surface itself (is_surface_triangle) are an inherited pair: they intersect there, too. Another
-/// pair is one if (1) cells of its corners intersect (find_inherited), (2) the two faces meet within the length of
-/// their longest side from where two faces of the surface meet, and (3) this pair of the surface is not spoken for. So
-/// there are never more than the surface has. But a face of the surface may be large: where two of them meet along more
-/// than the spacing of the vertices, they count as often as triangles of that size would meet there. Two faces of
-/// decimated components need no (1): each collapse was asked what its faces meet.
+/// Two triangles of the surface itself (is_surface_triangle) are an inherited pair, because they intersect on the
+/// surface as well. Any other pair is inherited if (1) cells of its corners intersect (find_inherited), (2) the two
+/// faces meet within the length of their longest side from a place where two faces of the surface meet, and (3) that
+/// pair of the surface has not been used for another pair. So there are never more inherited pairs than the surface
+/// has. A large pair of the surface may be used several times: if the two faces meet along more than the spacing of the
+/// vertices, as often as triangles of that size would meet there. Condition (1) is not needed for two faces of
+/// decimated components, because each collapse was tested for what its faces meet.
 ///
-/// `pairs`: of find_self_intersections of the remesh; `given`: of the surface. Deterministic: small triangles choose
-/// first. Throws Error{interrupted} if `progress` cancels. Cost: O(p log q) and that of find_intersecting_cells.
+/// `pairs` and `given` are the results of find_self_intersections for the remesh and for the surface. Deterministic:
+/// small triangles choose first. Throws Error{interrupted} if `progress` cancels. Cost: O(p log q) and that of
+/// find_intersecting_cells.
 std::vector<FacePair> find_inherited_pairs(const RemeshFaces& faces, const std::vector<FacePair>& pairs,
                                            const std::vector<FacePair>& given, const Progress& progress = {});
 

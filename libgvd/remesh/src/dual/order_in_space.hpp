@@ -7,8 +7,8 @@
 
 namespace gvd {
 
-/// The numbers of the points in an order in which those of each half of the list, of its halves and so on lie near each
-/// other: the order for a BoxTreeOf. Deterministic. Cost: O(n log n).
+/// The numbers of the points in an order for a BoxTreeOf: the points of each half of the list lie near each other, and
+/// so do the points of each quarter, and so on. Deterministic. Cost: O(n log n).
 std::vector<std::int32_t> order_in_space(const std::vector<Vec3>& points);
 
 }  // namespace gvd

@@ -11,13 +11,13 @@ namespace gvd {
 
 using Triangle = std::array<Vec3, 3>;
 
-/// A face with the positions of its corners. Two faces share the corners of which they have the same ids.
+/// A face with the positions of its corners. Two faces share the corners that have the same ids.
 struct PlacedFace {
   std::array<VertexId, 3> ids;
   Triangle corners;
 };
 
-/// The faces of a mesh with its vertices at these positions, which may be others than its own. Refers to both.
+/// The faces of a mesh with its vertices at given positions, which may differ from its own. Refers to both.
 struct PlacedFaces {
   PlacedFaces(const Mesh& faces) : PlacedFaces(faces, faces.positions()) {}  // NOLINT: a mesh is one
   PlacedFaces(const Mesh& faces, const std::vector<Vec3>& at) : mesh(faces), positions(at) {}
@@ -53,8 +53,8 @@ class FaceBoxes {
     tree_.init(entries.begin(), entries.end());
   }
 
-  /// Whether holds(f) is true of a face whose box overlaps this one; the first one ends the search.
-  /// Cost: O(log n) and O(1) a call, as a rule.
+  /// Whether holds(f) is true for a face whose box overlaps this box. The search ends with the first one. Cost: as a
+  /// rule O(log n), and the calls.
   template <class Holds>
   bool any_of(const Box3& box, const Holds& holds) const {
     Search<Holds> search{box, holds};

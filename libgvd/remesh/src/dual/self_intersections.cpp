@@ -1,9 +1,9 @@
 // Pairs of faces of a mesh that intersect, and those that a remesh has from its surface.
 //
 // A tree of the faces' boxes finds the pairs that may intersect, and `faces_intersect` decides on each. The result is
-// sorted, so that neither the tree nor the number of threads shows in it. Where the surface intersects itself, its
-// remesh may have to. A pair of its faces is inherited if the cells of one's corners intersect those of the other
-// one's: the cells that the pieces of an intersecting pair of the surface's faces lie in.
+// sorted, so that neither the tree nor the number of threads shows in it. If the surface intersects itself, its remesh
+// may have to. A pair of faces may be inherited if cells at the corners of one face intersect cells at the corners of
+// the other, which is the case if two intersecting faces of the surface have pieces in these cells.
 #include "dual/self_intersections.hpp"
 
 #include <algorithm>

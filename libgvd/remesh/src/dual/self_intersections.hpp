@@ -14,15 +14,14 @@ namespace gvd {
 
 /// The pairs of faces that have a common point outside of the vertex or edge that they share, ascending.
 ///
-/// Faces that only touch intersect, too.
-/// Properties: (1) exact, unless products of three coordinates underflow; (2) empty exactly where the mesh is embedded,
-/// if no face is degenerate; (3) independent of `threads` (0: one a core).
-/// Throws Error{interrupted} if `progress` cancels.
-/// Cost: O(n log n) where faces overlap the boxes of a bounded number of others.
+/// Faces that only touch intersect, too. Properties: (1) exact, unless products of three coordinates underflow; (2)
+/// empty exactly where the mesh is embedded, if no face is degenerate; (3) independent of `threads` (0: one a core).
+/// Throws Error{interrupted} if `progress` cancels. Cost: O(n log n) if the box of a face overlaps a bounded number of
+/// others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
 
-/// find_self_intersections for a mesh whose vertices have moved. `counts`: of each face, whether its pairs are looked
-/// for; a pair is where one of its faces is. Empty: all are.
+/// The same for a mesh whose vertices have moved. A pair is looked for if `counts` is set for one of its faces; if
+/// `counts` is empty, all pairs are.
 std::vector<FacePair> find_self_intersections(const PlacedFaces& faces, int threads, const Progress& progress = {},
                                               const std::vector<char>& counts = {});
 
@@ -34,12 +33,12 @@ struct CellPair {
 
 /// The pairs of cells in which a surface intersects itself, ascending.
 ///
-/// `given`: the intersecting pairs of faces, of find_self_intersections of the surface. A piece of a face is its part
-/// in one cell (FacePart), or the face itself. Cells a and b intersect where, for one of these pairs of faces, a piece
-/// of one face in a and a piece of the other face in b have bounding boxes that overlap. So a large face counts only
-/// with its cells near the other face. Cost: O(k) for the pieces of `given`, and O(1) for each two that are compared:
-/// those of the first face near the second face, and of the second near the first.
-/// Throws Error{interrupted} if `progress` cancels.
+/// `given` are the pairs of faces that intersect on the surface (find_self_intersections). A piece of a face is its
+/// part in one cell (FacePart), or the face itself. Cells a and b intersect if, for one of these pairs of faces, a
+/// piece of one face in a and a piece of the other face in b have overlapping bounding boxes. So a large face counts
+/// only with its cells near the other face. Cost: O(k) for the k pieces of `given`, and O(1) for each comparison of a
+/// piece of the first face near the second with a piece of the second face near the first. Throws Error{interrupted} if
+/// `progress` cancels.
 std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram& diagram,
                                               const std::vector<FacePair>& given, const Progress& progress = {});
 
@@ -47,12 +46,12 @@ std::vector<CellPair> find_intersecting_cells(const Mesh& surface, const Diagram
 /// inherited (find_inherited_pairs).
 ///
 /// The part of the surface under a face of the remesh consists of the cells of its three corners; vertex i stands for
-/// cell i. The surface intersects itself between two parts if a cell of one face and a cell
-/// of the other one are among `cells`, the pairs of find_intersecting_cells. Distances in space play no part.
-/// By a one-to-one map of the surface (map_to_remesh), each face is the image of a piece of each of its three cells.
-/// Why whole cells: a coarse mesh moves a curve of intersection aside. By the pieces alone, a face near the end of
-/// another one at the curve could be on its wrong side, however fine the mesh is.
-/// `pairs`: of find_self_intersections of the remesh. Cost: O(p log q) for p pairs and q pairs of cells.
+/// cell i. The surface intersects itself between two parts if a cell of one face and a cell of the other one are among
+/// `cells`, the pairs of find_intersecting_cells. Distances in space play no part. A one-to-one map of the surface
+/// (map_to_remesh) makes each face the image of a piece of each of its three cells. Whole cells count all the same,
+/// because a coarse mesh moves a curve of intersection aside: judged by the pieces alone, a face near the end of
+/// another one at the curve could be on its wrong side, however fine the mesh is. `pairs` is the result of
+/// find_self_intersections for the remesh. Cost: O(p log q) for p pairs and q pairs of cells.
 std::vector<FacePair> find_inherited(const Mesh& remesh, const std::vector<FacePair>& pairs,
                                      const std::vector<CellPair>& cells);
 

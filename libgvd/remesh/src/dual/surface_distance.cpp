@@ -2,14 +2,15 @@
 //
 // Faces are cut into equal triangles, whose corners and centroids are samples. The largest distance is searched for by
 // branch and bound: over a triangle the distance from one face of the other surface is convex, so its largest value is
-// at a corner and bounds the distance from all faces. The closest points of the corners may be in two faces. Then the
-// bound is the largest distance of a corner, and how far the triangle of the closest points leaves the faces. Without
-// it, flat surfaces that agree would be cut as finely as can be along all edges. The same holds round a vertex, where
-// the closest points lie in faces round it that are nearly flat. Distances also grow no faster than one moves, which is
-// the bound for long triangles that cross many faces. A triangle that may hold a farther point is cut in four, and one
-// that is hardly wider than its longest side is that side, which is cut in two: a needle of length n times its width
-// takes n pieces instead of n^2. Where there are too many pieces, those with the largest bounds come first. Sums and
-// pieces are joined in the order of the chunks, so the results do not depend on the number of threads.
+// at a corner and bounds the distance from all faces. If the closest points of the corners are in two faces, the bound
+// is the largest distance of a corner plus the largest distance of the triangle of the closest points from the faces.
+// Without this bound, flat surfaces that agree would be cut as finely as possible along all edges. The same holds round
+// a vertex, where the closest points lie in faces round it that are nearly flat. A distance also changes by no more
+// than the distance between two points, which gives the bound for long triangles that cross many faces. A triangle that
+// may hold a farther point is cut in four, and one that is hardly wider than its longest side is that side, which is
+// cut in two: a needle of length n times its width takes n pieces instead of n^2. If there are too many pieces, those
+// with the largest bounds come first. Sums and pieces are joined in the order of the chunks, so the results do not
+// depend on the number of threads.
 
 #include "gvd/surface_distance.hpp"
 
@@ -36,8 +37,8 @@ void check_faces(const Mesh& from, const Mesh& to) {
   }
 }
 
-/// Least number of triangles that the faces are cut into, unless the meshes are small. On ten remeshes of real meshes,
-/// the RMS of 2^18 triangles differed by at most 1 %.
+/// The least number of triangles that the faces are cut into, unless the meshes are small. On ten remeshes of real
+/// meshes, the RMS distance differs by at most 1 % from that of 2^18 triangles.
 constexpr double kLeastTriangles = 1 << 15;
 /// Number of triangles for each face of the two that is enough for small meshes.
 constexpr double kTrianglesPerFace = 8;
@@ -112,8 +113,8 @@ LongestSide longest_side(const Corners& corners) {
   return {start, length, length > 0 ? side(start).cross(side((start + 1) % 3)).norm() / length : 0};
 }
 
-/// Faces round a vertex that cover a sector of a disc, seen along the normal of the first one. What lies in the disc,
-/// and in a convex sector, has a face within twice its height above the first one's plane.
+/// Faces around a vertex that cover a sector of a disc, seen along the normal of the first face. A point in the disc,
+/// and in a convex sector, has a face within twice its height above the plane of the first face.
 class FlatSector {
  public:
   /// Begins with the face of h, round the start of h.
@@ -136,8 +137,9 @@ class FlatSector {
   /// A closed one has been round the vertex once.
   bool is_convex() const { return angle_ <= std::numbers::pi || (is_closed_ && angle_ < 3 * std::numbers::pi); }
 
-  /// A bound on how far the faces are from points in the hull of some on them, no farther from the vertex than `reach`.
-  /// Faces are linear, so that heights grow from the vertex on. Infinite where the faces do not cover so much.
+  /// A bound on the distance of the faces from points in the convex hull of points on them that are no farther from the
+  /// vertex than `reach`. Faces are linear, so that heights grow from the vertex on. Infinite if the faces do not reach
+  /// that far.
   double distance_within(double reach) const {
     return is_convex() && reach <= radius_ ? 2 * height_ * reach / radius_ : kInfinity;
   }
@@ -187,9 +189,10 @@ class PieceBounds {
     return least;
   }
 
-  /// Distances differ by no more than the distance of their points. No point of a triangle is farther from its nearest
-  /// corner than 1 / sqrt(3) of the longest side: an equilateral one's radius. Nor is one farther from the longest side
-  /// than its height, and on this side it is between two corners.
+  /// The distances of two points differ by no more than the distance between the points. No point of a triangle is
+  /// farther from its nearest corner than 1 / sqrt(3) of the longest side, which is the radius of an equilateral
+  /// triangle. And no point is farther from the longest side than the height above it, where a point lies between two
+  /// corners.
   double by_size(const Corners& corners) const {
     const auto [start, length, height] = longest_side(corners);
     const auto& [a, b, c] = corners;
@@ -198,7 +201,7 @@ class PieceBounds {
     return std::min(by_corners, on_side + height);
   }
 
-  /// The halfedge of a face whose twin is one of another face; invalid where they have none in common.
+  /// The halfedge of a face whose twin belongs to another face; invalid if they have no edge in common.
   HalfedgeId common_edge(FaceId face, FaceId other) const {
     for (const HalfedgeId h : to_.halfedges(face)) {
       if (to_.twin(h).valid() && to_.face(to_.twin(h)) == other) return h;
@@ -231,7 +234,7 @@ class PieceBounds {
     return farthest + off_edge;
   }
 
-  /// By the faces round a vertex that the faces nearest to the corners have in common. Infinite where there is none.
+  /// By the faces around a vertex that the faces nearest to the corners have in common. Infinite if there is none.
   double by_fan(const Corners& corners) const {
     double least = kInfinity;
     for (const Sample& start : corners) {

@@ -1,9 +1,9 @@
 // Properties and texture coordinates of the input on its remesh.
 //
 // Each vertex of the remesh has an origin on the surface. Numbers are interpolated there, labels taken from the nearest
-// corner. Texture coordinates jump at seams, so a face takes all of its corners from one chart, the one in which its
-// branch point is: no triangle goes across a seam. A single corner gives its value bit by bit, so that vertices at
-// vertices of the input keep their values.
+// corner. Texture coordinates jump at seams, so a face takes the coordinates of all its corners from one chart, the one
+// that contains its branch point, and no triangle crosses a seam. A vertex at a vertex of the input takes that value
+// bit by bit.
 
 #include "gvd/carry_properties.hpp"
 

@@ -55,7 +55,7 @@ std::vector<double> space(const Mesh& mesh, const std::vector<VertexId>& path, d
 
 using Path = std::vector<VertexId>;
 
-/// Bounds of a crossing on its edge, from 0 to 1: near an end it would squeeze the triangles of one of the cells' fans.
+/// Bounds of a crossing on its edge, from 0 to 1. Near an end it would squeeze the triangles of one cell's fan.
 constexpr double kLeastCrossing = 0.1;
 
 /// The point where a bisector crosses the edge between the remesh's vertices of its cells.
@@ -104,7 +104,7 @@ void add_half(const DualPolygon& polygon, std::pair<GeneratorId, GeneratorId> ce
 ///
 /// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
 /// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
-/// bit. Nothing where a run joins boundary and boundary. Cost: O(k) for k halfedges.
+/// bit. Nothing if a run joins boundary and boundary. Cost: O(k) for k halfedges.
 std::optional<std::vector<BorderTarget>> collect_targets(const CellSurface& surface, const DualPolygons& polygons,
                                                          GeneratorId cell) {
   const Mesh& mesh = surface.cut.mesh;
@@ -140,21 +140,21 @@ constexpr double kLeastSector = std::numbers::pi / 3, kLargestSector = 0.95 * st
 /// vertices of one side would have no area.
 constexpr double kBulge = 0.02;
 
-/// How the border of a cell is put into the plane, round the origin.
+/// How the border of a cell is laid into the plane, around the origin.
 enum class BorderShape {
   star,   ///< by angles and distances at the remesh's vertex: nearly the shape of the remesh's part
   round,  ///< on a circle: convex
 };
 
-/// The border of a cell in the plane. That of a cell at the boundary is a sector, whose corner is the anchor, at the
-/// origin. Its two straight sides are the run along the boundary.
+/// The border of a cell in the plane. For a cell at the boundary it is a sector whose corner, at the origin, is the
+/// anchor, and whose two straight sides are the run along the boundary.
 struct PlaneBorder {
   std::vector<DiscBorderPoint> points;
   std::vector<Vec2> bases;  ///< of the ends of the targets, one more than targets; round: the first one again
 };
 
-/// Angles and distances of the targets' ends at the remesh's vertex; one more than targets. The last angle is all
-/// round.
+/// Angles and distances of the targets' ends, seen from the remesh's vertex; one more than targets. The last angle is
+/// the whole way around.
 struct PolarEnds {
   std::vector<double> angles, radii;
 };
@@ -205,8 +205,8 @@ void add_sides(const CellSurface& surface, GeneratorId cell, PlaneBorder& plane)
   }
 }
 
-/// Puts the border of a cell into the plane. `targets`: those of the cell; at least three, or two at the boundary.
-/// Cost: O(k) for k halfedges.
+/// Lays the border of a cell into the plane. The cell has at least three `targets`, or two at the boundary. Cost: O(k)
+/// for k halfedges.
 PlaneBorder lay_border(const CellSurface& surface, const Mesh& remesh, GeneratorId cell,
                        const std::vector<BorderTarget>& targets, BorderShape shape) {
   PolarEnds ends = measure_ends(remesh, cell, targets);
@@ -275,8 +275,8 @@ class CellFlattener {
     return is_fan();
   }
 
-  /// Puts the apex where the disc has the point of the cell that is nearest to the remesh's vertex. If that is too near
-  /// the border, it takes the generator. Faces that are turned away from the remesh count only if there are no others.
+  /// Puts the apex at the image of the cell's point that is nearest to the remesh's vertex or, if that is too near the
+  /// border, at the image of the generator. Faces that face away from the remesh are used only if there are no others.
   void place_apex() {
     const Mesh& remesh = input_.polygons.remesh();
     const Vec3& vertex = remesh.position(plane_.vertex);

@@ -47,12 +47,12 @@ struct CellMapInput {
   const DualPolygons& polygons;
 };
 
-/// Flattens a cell with these faces, and checks that no triangle is turned round: of the disc, and of the fan.
+/// Flattens a cell with these faces, and checks that no triangle of the disc or the fan is turned over.
 ///
-/// A cell inside becomes a disc of many corners, in which the generator is the fan's apex. One at the boundary becomes
-/// a sector of it, whose two straight sides are the run along the boundary, and whose corner is the anchor.
-/// Returns Error{no_valid_result} where the check fails, or a run joins boundary and boundary. Cost: a sparse system of
-/// the cell's vertices, or up to three.
+/// A cell inside the surface becomes a disc of many corners, in which the generator is the fan's apex. A cell at the
+/// boundary becomes a sector of a disc. The two straight sides of the sector are the run along the boundary, and its
+/// corner is the anchor. Returns Error{no_valid_result} where the check fails, or a run joins boundary and boundary.
+/// Cost: a sparse system of the cell's vertices, or up to three.
 OrError<PlaneCell> flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces);
 
 /// The point of these faces that is nearest to a point in space. Faces that are turned away from `normal` count only if

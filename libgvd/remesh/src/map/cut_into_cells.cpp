@@ -2,8 +2,8 @@
 //
 // The map flattens each cell onto a convex disc and takes borders to borders, vertex by vertex. So cells must be discs,
 // bisectors need an inner vertex where they cross an edge of the remesh, and cells at the boundary an anchor, which
-// goes to the remesh's vertex. Chords between vertices of one straight side would flatten to nothing: they are split.
-// After each kind of split the borders are traced anew. The conditions are those of docs/developer/proofs.md,
+// goes to the remesh's vertex. Chords between vertices of one straight side would flatten to nothing, so they are
+// split. After each kind of split the borders are traced again. The conditions are those of docs/developer/proofs.md,
 // section 7.
 
 #include "map/cut_into_cells.hpp"
@@ -66,7 +66,7 @@ class BorderTracer {
   GeneratorId other(HalfedgeId h) const { return mesh_.twin(h).valid() ? cell(mesh_.twin(h)) : GeneratorId(); }
   bool is_border(HalfedgeId h) const { return other(h) != cell(h); }
 
-  /// Returns an error where a face is in no cell.
+  /// Returns an error if a face is in no cell.
   std::optional<Error> count_faces() {
     UnionFind connected(label_.size());
     for (const FaceId f : mesh_.faces()) {
@@ -158,8 +158,8 @@ class BorderTracer {
   IdVector<GeneratorId, CellBorder> borders_;
 };
 
-/// A generator on the boundary within this fraction of an edge from a vertex is taken to be there. Far above the
-/// rounding of positions, far below a distance that shows.
+/// A generator on the boundary within this fraction of an edge from a vertex counts as being at the vertex. The value
+/// is far above the rounding of positions, and far below a visible distance.
 constexpr double kAtVertex = 1e-6;
 
 /// A point on an edge, between its ends.
@@ -188,7 +188,7 @@ class CellCutter {
  private:
   const Mesh& mesh() const { return cells_.cut.mesh; }
 
-  /// Returns an error where the borders are not those of discs.
+  /// Returns an error if a cell is not a disc.
   std::optional<Error> trace() {
     auto traced = trace_cell_borders(mesh(), cells_.cut.label, generators_.size());
     if (Error* const error = std::get_if<Error>(&traced)) return std::move(*error);

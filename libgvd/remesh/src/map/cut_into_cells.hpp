@@ -28,7 +28,7 @@ std::vector<VertexId> run_vertices(const Mesh& mesh, const CellBorder& border, c
 
 /// The borders of the cells of a mesh whose faces have labels from 0 to `cells` - 1.
 ///
-/// Returns Error{no_valid_result} where a face has no label, a cell is no disc or has one run only, or two cells share
+/// Returns Error{no_valid_result} if a face has no label, a cell is not a disc or has only one run, or two cells share
 /// several runs. Cost: O(n), and O(k log k) for a cell with k neighbours.
 OrError<IdVector<GeneratorId, CellBorder>> trace_cell_borders(const Mesh& mesh,
                                                               const IdVector<FaceId, GeneratorId>& label,
@@ -46,8 +46,8 @@ struct CellSurface {
   IdVector<GeneratorId, VertexId> anchors;  ///< invalid for cells that are not at the boundary
 };
 
-/// Cuts along the bisectors, and splits edges for properties (2) to (4).
-/// Returns Error{no_valid_result} where the cells are no discs, and that of try_to_cut_faces. Cost: O(n log n).
+/// Cuts along the bisectors, and splits edges for properties (2) to (4). Returns Error{no_valid_result} if the cells
+/// are not discs, and the error of try_to_cut_faces. Cost: O(n log n).
 OrError<CellSurface> cut_into_cells(const Mesh& surface, const RemeshResult& result, const Progress& progress = {});
 
 }  // namespace gvd

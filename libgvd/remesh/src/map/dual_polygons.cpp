@@ -22,11 +22,11 @@
 namespace gvd {
 namespace {
 
-/// Least barycentric coordinate of a triangle's centre: the branch point of an obtuse triangle is outside of it. A
-/// centre near a side would squeeze the parts of the cells there.
+/// The least barycentric coordinate of a triangle's centre, because the branch point of an obtuse triangle is outside
+/// the triangle. A centre near a side would squeeze the parts of the cells there.
 constexpr double kLeastOfCentre = 0.08;
 
-/// The labels round v, counter-clockwise, without repetitions; from boundary to boundary where v is on it.
+/// The labels around v, counter-clockwise, without repetitions; from boundary to boundary if v is on it.
 std::vector<GeneratorId> cells_round(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label, VertexId v) {
   std::vector<GeneratorId> cells;
   for_each_outgoing(cut, v, [&](HalfedgeId h) {

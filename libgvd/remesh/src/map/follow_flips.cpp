@@ -1,4 +1,4 @@
-// Points of a mesh on the mesh that flips of its edges make of it.
+// Takes points of a mesh to the mesh that flips of its edges lead to.
 #include "map/follow_flips.hpp"
 
 #include <algorithm>

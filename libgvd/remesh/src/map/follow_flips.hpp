@@ -10,8 +10,8 @@ namespace gvd {
 
 /// Takes points of a mesh to the mesh that flips of its edges make of it, one-to-one.
 ///
-/// A flip maps its two faces as if they were the halves of a square, whose sides stay: affine on the triangles that the
-/// two diagonals cut it into. So every point that is on no flipped face stays.
+/// A flip maps its two faces as if they were the halves of a square: the sides of the square stay, and the map is
+/// affine on the four triangles into which the two diagonals cut it. So a point on no flipped face stays.
 class FlipFollower {
  public:
   /// `before`: of undo_flips; `after`: of apply_flips. All must outlive this. Cost: O(n).

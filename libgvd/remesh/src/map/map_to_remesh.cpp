@@ -1,10 +1,10 @@
-// The map of a surface onto its remesh: one-to-one where the proof's conditions hold, else by nearest points.
+// The map of a surface onto its remesh: one-to-one if the proof's conditions hold, otherwise by nearest points.
 //
 // The one-to-one map works cell by cell, in parallel: cut the surface into cells, lay out the polygons of the branch
 // points, then flatten each cell and read the points off. Each vertex of the surface lies in one cell, or on the border
-// of two, which agree. All that is done on the dual: where edges of it were flipped, the points go on to the flipped
-// faces. If a check fails anywhere, all points are nearest points instead, so that a map is always one of
-// the two kinds. At last the images of all faces are measured.
+// of two, which agree. All of that is done on the dual; if edges of it were flipped, the points then follow the flips.
+// If a check fails anywhere, all points are nearest points instead, so that a map is always one of the two kinds.
+// Finally, the images of all faces are measured.
 #include <algorithm>
 #include <string>
 #include <utility>
@@ -24,7 +24,7 @@
 namespace gvd {
 namespace {
 
-/// Faces of a chunk of cells: their systems take milliseconds.
+/// The number of faces of a chunk of cells. Their systems take milliseconds.
 constexpr std::size_t kMapFacesPerChunk = 2048;
 
 /// Where a cell takes vertices of the surface, and what it takes to its own vertex of the remesh.
@@ -80,8 +80,8 @@ OrError<std::vector<CellImages>> map_cells(const CellMapInput& input, int thread
   return images;
 }
 
-/// The map without the measurements of its images. Returns Error{no_valid_result} where a condition of the proof does
-/// not hold, with the first one that fails. Deterministic, for every number of threads.
+/// The map without the measurements of its images. Returns Error{no_valid_result} with the first condition of the proof
+/// that fails, if any does. Deterministic, for every number of threads.
 OrError<RemeshMap> map_one_to_one(const Mesh& surface, const RemeshResult& result, int threads,
                                   const Progress& progress) {
   auto cut = cut_into_cells(surface, result, progress);
@@ -110,7 +110,8 @@ OrError<RemeshMap> map_one_to_one(const Mesh& surface, const RemeshResult& resul
 constexpr double kFlatImage = 1e-9;
 
 /// Measures how far the vertices move, and compares the image of each face with the normals of the remesh at its
-/// corners. A vertex there has faces on all sides: the one that its point names would tell nothing.
+/// corners. A point at a vertex of the remesh has faces on all sides, so that the normal of the one face that it names
+/// would tell nothing.
 void measure_images(const Mesh& surface, const Mesh& remesh, RemeshMap& map) {
   const auto image = [&](VertexId v) { return position(remesh, map.points[v]); };
   double sum = 0;

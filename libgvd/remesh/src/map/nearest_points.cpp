@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// Vertices of a chunk: each takes some tens of closest points.
+/// The number of vertices of a chunk. Each takes some tens of closest points.
 constexpr std::size_t kVerticesPerChunk = 512;
 
 /// The triangles at a vertex and its neighbours, ascending, and their boundary halfedges.

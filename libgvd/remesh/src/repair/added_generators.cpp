@@ -70,9 +70,9 @@ std::optional<std::int64_t> estimate_added(const MeshSummary& mesh, std::size_t 
 
 namespace {
 
-/// Numbers of defects differ by chance: which ones a round meets depends on where its generators happen to be. A count
-/// of independent events varies by its square root, the difference of two counts by the square root of their sum. Two
-/// such standard deviations are exceeded by chance in one case of twenty.
+/// Numbers of defects vary by chance, with the places of a round's generators. A count of independent events has its
+/// square root as standard deviation, and the difference of two counts the square root of their sum. Chance exceeds two
+/// standard deviations in one case of twenty.
 constexpr double kChance = 2;
 
 bool has_grown(std::size_t first, std::size_t last) {
@@ -90,7 +90,7 @@ std::string advise_at_limit(const MeshSummary& mesh, std::size_t generators, con
     advice = fmt::format(", and {} became {}{}", counted(std::int64_t(first), "defect", "defects"),
                          most > first && most > last ? fmt::format("{}, then ", most) : "", last);
   }
-  // The first generators that are added often make defects, so that few of them tell nothing about more of them.
+  // The first added generators often make defects, so that a few of them say nothing about more.
   const bool are_few = is_max_added && added < usual;
   const auto need = estimate_added(mesh, generators, history);
   if (need) {

@@ -1,4 +1,5 @@
-// What divides a cell that is no disc: the arcs of the mesh's boundary in it, and its short non-contractible loops.
+// Finds what divides a cell that is not a disc: the arcs of the mesh's boundary in it, and its short non-contractible
+// loops.
 //
 // Bisectors that end on the boundary cut its loops into arcs. The ends on each halfedge are sorted along it. A walk
 // round each loop then begins a new arc at every end; what comes before the first end belongs to the last arc.
@@ -55,7 +56,7 @@ BoundaryEnds collect_ends(const Mesh& mesh, const Diagram& diagram) {
   return ends;
 }
 
-/// Appends the arcs of a boundary loop. `whole`: the cell of a loop without an end. The segments before the first end
+/// Appends the arcs of a boundary loop. `whole` is the cell of a loop without an end. The segments before the first end
 /// belong to the last arc.
 void cut_loop(const Mesh& mesh, HalfedgeId first, const BoundaryEnds& ends, GeneratorId whole,
               std::vector<BoundaryArc>& arcs) {

@@ -14,8 +14,8 @@
 #include "gvd/surface_point.hpp"
 #include "gvd/vec.hpp"
 
-// What generators can be placed by: the arcs of the boundary in a cell, its non-contractible loops, and the tips that
-// it surrounds.
+// The topology of cells, by which generators are placed: the arcs of the boundary in a cell, its non-contractible
+// loops, and the tips that it surrounds.
 
 namespace gvd {
 
@@ -46,7 +46,8 @@ inline bool is_in_cell(const CutMesh& cut, HalfedgeId h, GeneratorId cell) { ret
 
 /// Tree of shortest paths along the edges of one cell's faces, by Dijkstra's algorithm.
 ///
-/// Its arrays have the size of the cut mesh and serve one cell after another, so a tree costs what its cell holds.
+/// Its arrays have the size of the cut mesh and are reused for one cell after another, so that a tree costs no more
+/// than its cell.
 class CellTree {
  public:
   /// The cut mesh must outlive the tree.
@@ -86,8 +87,8 @@ struct DualLink {
 };
 
 /// Removes faces with a single link, and that link, until there are none. The outside is never removed. Returns the
-/// halfedges of the links that remain, in their order: those on cycles or on paths between two cycles or borders.
-/// Cost: O(faces and links).
+/// halfedges of the links that remain, in their order. These links are on cycles, or on paths between cycles or
+/// borders. Cost: O(faces and links).
 std::vector<HalfedgeId> prune_leaves(std::size_t faces, const std::vector<DualLink>& links);
 
 /// Finds short non-contractible loops of cells: round a limb, through a handle, round a hole.
@@ -100,15 +101,15 @@ class CellLoops {
   CellLoops(const CellLoops&) = delete;
   CellLoops& operator=(const CellLoops&) = delete;
 
-  /// Points of the input mesh that divide a short non-contractible loop of the cell into `parts`. They are one less,
-  /// since the generator serves as another; as many where the generator is far from the loop. Empty for a cell that is
-  /// a disc. The loop is the shortest one made of two paths of the shortest-path tree and one edge outside of it that
-  /// no pruning removes: Erickson and Har-Peled, Optimally cutting a surface into a disk, 2004.
-  /// Cost: O(k log k) for a cell of k faces.
+  /// Points of the input mesh that divide a short non-contractible loop of the cell into `parts`: one point less than
+  /// `parts`, because the generator serves as another, or `parts` points if the generator is far from the loop. Empty
+  /// for a cell that is a disc. The loop is the shortest one that consists of two paths of the shortest-path tree and
+  /// one edge outside the tree that pruning does not remove. Source: Erickson and Har-Peled, Optimally cutting a
+  /// surface into a disk, 2004. Cost: O(k log k) for a cell of k faces.
   std::vector<SurfacePoint> find(GeneratorId cell, int parts = 3);
 
-  /// The borders of a cell: closed, each as the points of the input mesh at its corners, without repetition. Two for an
-  /// annulus. Cost: O(k) for a cell of k faces.
+  /// The borders of a cell, which are closed curves, each as the points of the input mesh at its corners, without
+  /// repetition. An annulus has two. Cost: O(k) for a cell of k faces.
   std::vector<std::vector<SurfacePoint>> borders(GeneratorId cell) const;
 
  private:
@@ -134,17 +135,17 @@ class CellLoops {
 
 // opposite_points.cpp
 
-/// Points of which each one, as one more generator, takes from the cell of `cell` the way round between two of its
-/// borders (`CellLoops::borders`): an annulus becomes a disc. None for a cell with a single border. On a limb it is the
-/// point opposite the generator, as far along the limb as the generator, so that none shuts the other one out.
+/// Points that each, as one more generator, cut the cell's way around between two of its borders
+/// (`CellLoops::borders`), so that an annulus becomes a disc. None for a cell with a single border. On a limb it is the
+/// point opposite the generator, as far along the limb as the generator, so that neither cell surrounds the other.
 /// opposite_points.cpp has the proof. Cost: O(n), and two exact fields on the cell's faces for each point.
 std::vector<SurfacePoint> find_opposite_points(const Mesh& mesh, const Diagram& diagram, GeneratorId cell,
                                                const std::vector<std::vector<SurfacePoint>>& borders);
 
 // tip_rings.cpp
 
-/// An inner vertex is a tip if its total angle, in radians, is below this. At a larger angle one generator can't
-/// surround a vertex: its bisector with the vertex does not close.
+/// An inner vertex is a tip if its total angle, in radians, is below this. At a larger angle, one generator can't
+/// surround the vertex, because its bisector with the vertex does not close.
 inline constexpr double kTipAngle = std::numbers::pi;
 
 /// Total angle of the faces round a vertex, radians. Cost: O(degree).
@@ -162,17 +163,18 @@ struct NarrowTip {
 /// On a cone of total angle a, let b < a / 2 be the angle between two generators. The one at distance r from the tip
 /// shuts the other one out if that is farther from the tip than r / cos(b). Points on the shortest loop round the tip
 /// lie just that far, because the loop is a straight line. So each generator there shuts the others out, and repairs
-/// there go on without end, each at half the distance of the one before. Three points at the same distance r, an angle
-/// of a / 3 apart, shut no other one out.
+/// would go on forever, each at half the distance of the one before. Three points at the same distance r, at angles of
+/// a / 3, do not shut each other out.
 class TipRings {
  public:
-  /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each cell that is an annulus, of m
-  /// cells; where one surrounds a tip, that of an exact field.
+  /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each of the m cells that is an annulus,
+  /// and an exact field if one of them surrounds a tip.
   TipRings(const Mesh& mesh, const Diagram& diagram);
 
   /// Two points as far from the surrounded tip as the cell's generator is. The three divide the tip's total angle in
-  /// parts of at most a half, and lie far apart in space. Empty for a cell that is no annulus or surrounds no tip. Also
-  /// empty where a straight line from the tip to a point is not the shortest one: the surface is no cone there.
+  /// parts of at most a half, and lie far apart in space. Empty for a cell that is not an annulus or surrounds no tip,
+  /// and also if a straight line from the tip to a point is not the shortest path, because the surface is not a cone
+  /// there.
   std::vector<SurfacePoint> find(GeneratorId cell) const;
 
   /// The tip that the cell surrounds, if there is no room for three generators on the circle round it through the

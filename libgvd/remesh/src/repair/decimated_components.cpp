@@ -1,9 +1,9 @@
-// Components that keep their own triangles, decimated, where the dual of generators is no proper mesh.
+// Components that keep their own triangles, decimated, because no dual of generators is a proper mesh.
 //
 // A collapse is made only if the faces that it moves are not flipped and meet no other face that they have not met
-// before, by exact tests: so whatever is left after any number of collapses is as right as the surface was. The guard
+// before, by exact tests. So after any number of collapses, the triangles are as right as the surface was. The guard
 // does not know the duals of other components. A face that meets one gets back some of the vertices that collapsed to
-// its corners, twice as many each time, and its component is decimated again: in the end it is as the surface has it.
+// its corners, twice as many each time, and its component is decimated again; in the end it is as on the surface.
 #include "repair/decimated_components.hpp"
 
 #include <algorithm>
@@ -22,16 +22,17 @@
 namespace gvd {
 namespace {
 
-/// Vertices that a face gets back at first where it meets others; then twice as many each time. After kMostRefinements,
-/// the component gets all back.
+/// The number of vertices that a face gets back at first if it meets others; then twice as many each time. After
+/// kMostRefinements, the component gets all of them back.
 constexpr std::size_t kFirstKept = 2;
 constexpr int kMostRefinements = 12;
 
-/// Faces that a collapse may move: each two of them are compared. A vertex with more stays, and others collapse to it.
+/// The largest number of faces that a collapse may move, because every two of them are compared. A vertex with more
+/// faces stays, and others collapse to it.
 constexpr std::size_t kMostMoved = 64;
 
-/// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree: what it has
-/// grown to lies near the face of the surface that it was.
+/// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree, because it stays
+/// near the face of the surface that it was.
 class FaceGuard {
  public:
   FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface) {
@@ -48,8 +49,8 @@ class FaceGuard {
     face_at_ = std::move(order);
   }
 
-  /// Whether faces may have other corners, given by place, where others are gone: none is then flipped, and none
-  /// intersects another one, but those that the changed faces have intersected before, no more often than they did.
+  /// Whether faces, given by place, may get other corners while other faces go: none may then be flipped, and they may
+  /// intersect only faces that the changed faces have intersected before, and no more often.
   bool allows(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) const {
     if (moved.size() > kMostMoved) return false;
     const auto is_changed = [&](std::int32_t place) {

@@ -18,18 +18,19 @@ namespace gvd {
 /// A triangle of a decimated component, by vertices of the surface.
 struct DecimatedFace {
   std::array<VertexId, 3> corners;
-  /// The face of the surface that it was: each corner of that has collapsed to one of `corners`, or is it.
+  /// The face of the surface that it was. Each corner of that face has collapsed to one of `corners`, or is one of
+  /// them.
   FaceId origin;
 
   /// The middle of its origin. It stands for the face on the surface, as a branch point does for a triangle of a dual.
   SurfacePoint point() const { return {origin, {1.0 / 3, 1.0 / 3, 1.0 / 3}}; }
 };
 
-/// Components of a surface whose remesh is not the dual of a diagram, but their own triangles, decimated.
+/// Components of a surface that are remeshed by their own triangles, decimated, and not by the dual of a diagram.
 ///
-/// Where no generators are found whose dual is a proper mesh, the surface itself is one: halfedges collapse as long as
-/// topology and orientation stay and no face meets one that it has not met before. Where its faces meet those of other
-/// components, fewer collapse, in the end none.
+/// If no generators are found whose dual is a proper mesh, the surface itself is one. Halfedges of it collapse as long
+/// as topology and orientation stay the same and no face meets a face that it has not met before. If the result meets
+/// faces of other components, fewer halfedges collapse, in the end none.
 ///
 /// Properties: (1) each vertex is one of the surface; (2) the faces of each component have its topology; (3) a face is
 /// a triangle of the surface, or is not flipped (find_flipped_faces); (4) no more pairs of faces intersect than on the
@@ -42,7 +43,7 @@ class DecimatedComponents {
   std::int32_t count() const { return std::int32_t(parts_.size()); }
   bool has(std::int32_t component) const { return parts_.contains(component); }
   bool has(const SurfacePoint& point) const { return has(component_[point.face]); }
-  /// Of each face of the surface, as compute_face_components numbers them.
+  /// The component of each face of the surface, as compute_face_components numbers them.
   const IdVector<FaceId, std::int32_t>& component() const { return component_; }
 
   /// Adds components, each for about so many vertices. Nothing happens to them before `decimate`. Cost: O(n).
@@ -52,8 +53,8 @@ class DecimatedComponents {
   /// one of `remesh`; `corners` are its corners on the surface. Cost: O(k) for k such vertices.
   void refine(const Mesh& remesh, FaceId face, const std::array<VertexId, 3>& corners);
 
-  /// Decimates the components that are new or have been refined. Throws Error{interrupted} if `progress` cancels.
-  /// Cost: O(n log n) for the n faces of all, where these overlap the boxes of a bounded number of others.
+  /// Decimates the components that are new or have been refined. Throws Error{interrupted} if `progress` cancels. Cost:
+  /// O(n log n) for the n faces of all these components, if the box of a face overlaps a bounded number of others.
   void decimate(const Progress& progress);
 
   /// The faces of all these components, by component.

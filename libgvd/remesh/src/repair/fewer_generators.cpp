@@ -1,9 +1,9 @@
 // The search for generators that were added in vain, and the exchange that keeps a number of generators.
 //
 // Both leave out generators without which the dual has no defect either (LocalChanges). The search looks among the
-// added ones, pair by pair, since the successes of single ones are rare. The exchange makes room for the added
-// generators: it looks among all that may go, and first where the surface is flattest for the distance between
-// generators. Every change leaves one generator less, so both end; each also ends where its diagrams exceed a limit.
+// added ones, pair by pair, because single ones rarely succeed. The exchange makes room for the added generators: it
+// looks among all that may go, and first where the surface is flattest for the distance between generators. Every
+// change leaves one generator less, so both end; each also ends where its diagrams exceed a limit.
 
 #include "repair/fewer_generators.hpp"
 
@@ -17,8 +17,8 @@
 namespace gvd {
 namespace {
 
-/// The other one of some generators that is nearest in space: along the surface it would cost a propagation. Cost:
-/// O(n), as that of the part for its trial.
+/// The nearest other generator in space, out of some; the nearest along the surface would cost a propagation. Cost:
+/// O(n), like that of the part for its trial.
 std::optional<GeneratorId> find_nearest(const Mesh& mesh, const Diagram& diagram, GeneratorId g,
                                         const std::vector<GeneratorId>& among) {
   Least<std::optional<GeneratorId>> nearest;
@@ -41,8 +41,8 @@ std::vector<GeneratorId> list_free(const Diagram& diagram, const GeneratorSearch
   return ids;
 }
 
-/// For each generator, how far its cell and its neighbours are from the surface's plane at it, at most; mesh units.
-/// About the distance from the surface that a mesh without the generator would have there.
+/// For each generator, the largest distance of its cell and its neighbours from the tangent plane at the generator;
+/// mesh units. A mesh without the generator would be about this far from the surface there.
 std::vector<double> measure_bends(const Mesh& mesh, const Diagram& diagram) {
   std::vector<Vec3> at, normal;
   for (const SurfacePoint& point : diagram.generators) {
@@ -107,7 +107,7 @@ bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const Gen
     changes.forget_trials();
     repeat(changes, least, list, [&](GeneratorId g) { changes.leave_out(g); });
   };
-  // Of generators that were added by forecasts, some are in vain: they go first, at a single trial each.
+  // Some generators that were added by forecasts are not needed: they go first, at a single trial each.
   if (search.only) leave_out();
   changes.forget_trials();
   repeat(changes, least, list, [&](GeneratorId g) {

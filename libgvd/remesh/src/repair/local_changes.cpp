@@ -2,7 +2,7 @@
 //
 // Without the generators that a change removes, a part has defects or none. Where it has few, a single point may take
 // the place of two generators. Only its own cell repairs anything, so it has to be nearer to the place of each defect
-// than the generators there: this leaves few candidates, in the order of how much nearer they are.
+// than the generators there. That leaves few candidates, which are tried in the order of how much nearer they are.
 //
 // Changes that are apart from each other are decided on together, because a diagram of the whole mesh costs as much as
 // some ten parts, and the placement of all vertices comes with it.
@@ -20,27 +20,28 @@
 namespace gvd {
 namespace {
 
-/// The most defects that two generators may leave for one in their place to be tried. Pairs that were replaced in
-/// trials left one to three.
+/// If two generators leave more defects than this, no point is tried in their place. The pairs that could be replaced
+/// left one to three.
 constexpr std::size_t kMostDefects = 4;
 
-/// Work of a decision on the whole mesh, in diagrams: all vertices are placed, too. With 1, a search doubled the time
-/// of a bunny with 30 generators; with 2 it adds a fifth.
+/// The work of a decision on the whole mesh, in diagrams. It is above 1 because all vertices are placed as well: with
+/// 1, a search doubles the time of a bunny with 30 generators; with 2 it adds a fifth.
 constexpr std::int64_t kWorkOfDecision = 2;
 
-/// Number of vertices of a part that are candidates, in the cells with defects. With twice as many the search took half
-/// as long again, and left the elephant of docs/notes/remesh-bench.md with as many generators.
+/// The number of vertices of a part that are candidates, in the cells with defects. With twice as many, the search
+/// takes half as long again and leaves the elephant of docs/notes/remesh-bench.md with as many generators.
 constexpr std::int32_t kVertexCandidates = 60;
 
-/// Candidates that are tried in the place of two generators. The last one to succeed on the elephant with 100 was the
-/// tenth.
+/// The largest number of candidates that are tried in the place of two generators. On the elephant with 100 generators,
+/// no candidate after the tenth succeeded.
 constexpr std::size_t kMostCandidates = 10;
 
 /// Rings of cells round a change in which trials have to be repeated: those of the parts of LocalDual.
 constexpr int kNearRings = 2;
 
-/// How far a point is from taking the place of a defect of a diagram: its distance from that place, by that of the
-/// generators there. Below 1 its own cell takes the place. Of several places the nearest counts.
+/// How far a point is from covering the place of a defect with its cell: the distance of the point from the place,
+/// relative to the distance of the generators there. Below 1, the point's own cell covers the place. If there are
+/// several places, the nearest counts.
 class DefectReach {
  public:
   DefectReach(const Mesh& mesh, const Diagram& diagram, const DualDefect& defect)
@@ -136,7 +137,7 @@ void LocalChanges::unite(GeneratorId g, GeneratorId other) {
   }
 }
 
-/// Points of the whole mesh, the likeliest ones first.
+/// Points of the whole mesh, the most promising ones first.
 std::vector<SurfacePoint> LocalChanges::list_candidates(const LocalDual& local,
                                                         const LocalDual::Result& without) const {
   const Mesh& part = local.part().mesh;
@@ -206,8 +207,8 @@ void LocalChanges::apply() {
   both_ = 0;
 }
 
-/// Decides on the collected changes, group by group. Returns those made. Where a group fails, the next one is a quarter
-/// of it; where one passes, the next is twice as large.
+/// Decides on the collected changes, group by group. Returns those made. If a group fails, the next one is a quarter of
+/// it; if it passes, the next one is twice as large.
 std::vector<std::size_t> LocalChanges::decide(const std::vector<SurfacePoint>& before) {
   std::vector<std::size_t> made;
   std::size_t size = collected_.size();

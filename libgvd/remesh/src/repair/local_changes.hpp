@@ -29,8 +29,8 @@ class LocalChanges {
   std::size_t count() const { return diagram_.generators.size() - collected_.size() - both_; }
   /// Whether all diagrams so far exceed the limit.
   bool is_over() const { return events_ > search_.most_events; }
-  /// Whether a trial with this generator is worthless now: nothing has changed near it since the last one, or a
-  /// collected change is near.
+  /// Whether a trial with this generator is pointless now, because nothing has changed near it since its last trial, or
+  /// a collected change is near.
   bool is_idle(GeneratorId g) const { return tried_[g] || is_near_change(g); }
   bool is_near_change(GeneratorId g) const { return near_change_[g] != 0; }
   void forget_trials() { tried_.assign(tried_.size(), 0); }

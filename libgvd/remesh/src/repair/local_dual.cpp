@@ -55,7 +55,7 @@ CellPart cut_out_cells(const Mesh& mesh, const Diagram& diagram, const CellFlags
 
 namespace {
 
-/// One ring for the cells that a change alters, one more so that these have all their neighbours.
+/// One ring for the cells that a change alters, and one more so that these cells have all their neighbours.
 constexpr int kRings = 2;
 
 bool are_all(const CellFlags& flags, const std::vector<GeneratorId>& cells) {

@@ -18,8 +18,9 @@ CellFlags grow_rings(const Diagram& diagram, const std::vector<GeneratorId>& cel
 
 /// The faces of a mesh that meet some cells of a diagram, as a mesh of their own.
 ///
-/// Faces that meet at a vertex only, without a fan of such faces between them, get a vertex each. No shortest path that
-/// stays in the cells passes such a vertex. Why: if a cell holds a vertex, all faces round it belong to the part.
+/// Faces of the part that meet only at a vertex, without a fan of faces between them, get a vertex each. No shortest
+/// path that stays in the cells passes such a vertex: if a cell contained it, all faces around it would belong to the
+/// part.
 struct CellPart : Submesh {
   /// Per face, whether it meets other cells too, or an edge that is on the boundary of the part alone.
   IdVector<FaceId, char> is_fringe;
@@ -31,11 +32,11 @@ CellPart cut_out_cells(const Mesh& mesh, const Diagram& diagram, const CellFlags
 /// The diagram and the dual near some cells of a diagram, after generators have been removed and added there. Only the
 /// faces of these cells and of two rings of cells round them are computed again.
 ///
-/// Why it is right. A shortest path from a generator stays in its cell. New generators take area away from cells, and
-/// the cells round a removed one share what was its own. The fringe of the part consists of the faces in which other
-/// cells begin. As long as no new cell reaches it, all shortest paths to points of the part's cells stay in the part.
-/// In the fringe, other generators may be nearer. A cell that meets no face of the fringe is the same in the diagram of
-/// the whole mesh. docs/developer/proofs.md has the proof.
+/// It is right for this reason. A shortest path from a generator stays in its cell. New generators take area away from
+/// cells, and the cells round a removed one share what was its own. The fringe of the part consists of the faces in
+/// which other cells begin. As long as no new cell reaches it, all shortest paths to points of the part's cells stay in
+/// the part. In the fringe, other generators may be nearer. A cell that meets no face of the fringe is the same in the
+/// diagram of the whole mesh. docs/developer/proofs.md has the proof.
 class LocalDual {
  public:
   /// `removed`: cells whose generators go, also to be listed in `cells`. Mesh and diagram must outlive this. Cost:
@@ -51,9 +52,9 @@ class LocalDual {
     /// The defects of the dual whose cells are all inner. Flipped triangles follow where there are no others.
     std::vector<DualDefect> defects;
   };
-  /// The part with these points of the whole mesh added. Nothing where the part can't tell: a new cell reaches its
-  /// fringe, or a point lies outside. Nothing too where a point coincides with another generator, or a component of the
-  /// mesh is left without any.
+  /// The part with these points of the whole mesh added. Nothing if the part can't tell, because a new cell reaches its
+  /// fringe or a point lies outside; nothing either if a point coincides with another generator, or if a component of
+  /// the mesh is left without a generator.
   std::optional<Result> compute(const std::vector<SurfacePoint>& added) const;
 
   /// Generators of the whole diagram that are kept, in the order of the part's.

@@ -16,8 +16,8 @@
 // P is sought in the faces that meet the cell. Where it leaves the cell, as may happen in one with handles, nothing is
 // proved: whoever takes the point has to try it.
 //
-// On a border, the point behind the generator is best. There the direction in which shortest paths leave the generator
-// jumps most, from one way round to the other.
+// The best point of a border is the one behind the generator, where the direction in which shortest paths leave the
+// generator jumps most, from one way around to the other.
 
 #include <algorithm>
 #include <cmath>
@@ -31,7 +31,7 @@
 namespace gvd {
 namespace {
 
-/// A cell with many borders, as round many holes, gets one point after the other: each takes two exact fields.
+/// A cell with many borders, as around many holes, gets one point after the other, because each takes two exact fields.
 constexpr std::size_t kMostPoints = 4;
 
 /// A point of a border of the cell, in the part of the mesh that meets the cell.

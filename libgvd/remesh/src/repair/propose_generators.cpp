@@ -21,7 +21,8 @@
 namespace gvd {
 namespace {
 
-/// Cells round a loop: the dual needs three, so that its edges have different ends. Two may be discs already.
+/// The number of cells around a loop. The dual needs three, so that its edges have different ends; two may be discs
+/// already.
 constexpr int kPartsOfDual = 3, kFewestParts = 2;
 
 }  // namespace
@@ -37,8 +38,8 @@ SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector) {
   return bisector.points.back();
 }
 
-/// The elements of a diagram by the cells that they touch, each list ascending. A repair looks at those of its cells
-/// alone: on a surface of many components, defects and elements are as many as these. Cost: O(n).
+/// The elements of a diagram by the cells that they touch, each list ascending. A repair looks only at the elements of
+/// its own cells, because a surface of many components has many defects and many elements. Cost: O(n).
 struct CellElements {
   CellElements(const Mesh& mesh, const Diagram& diagram)
       : vertices(diagram.generators.size()),
@@ -269,7 +270,7 @@ bool is_repaired(const CellFlags& repaired, const Diagram& diagram, const DualDe
                                              any_set(repaired, diagram.cells[defect.cells[0]].neighbours));
 }
 
-/// A part of more than one in so many of the mesh's faces takes as long as a round on the whole mesh, which repairs in
+/// A part with more than one in so many of the mesh's faces takes as long as a round on the whole mesh, which repairs
 /// all places at once.
 constexpr std::size_t kFacesPerPartFace = 4;
 
@@ -290,7 +291,7 @@ std::vector<GeneratorId> list_cells_around(const Mesh& mesh, const Diagram& diag
   return cells;
 }
 
-/// The points of one round on the part, in the whole mesh; none where nothing is left to repair.
+/// The points of one round on the part, as points of the whole mesh; none if nothing is left to repair.
 std::vector<SurfacePoint> propose_in_part(const LocalDual& local, const LocalDual::Result& result,
                                           std::size_t max_count, const Progress& progress) {
   if (result.defects.empty() || result.defects.front().property == DualProperty::not_flipped) return {};

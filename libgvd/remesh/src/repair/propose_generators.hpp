@@ -14,8 +14,8 @@
 
 namespace gvd {
 
-/// The point of the bisector's polyline nearest to its middle, by arc length from the first
-/// point; of a closed one, opposite to that. Cost: O(points).
+/// The point of the bisector's polyline nearest to its middle by arc length. On a closed bisector, it is opposite the
+/// first point. Cost: O(points).
 SurfacePoint find_midpoint(const Mesh& mesh, const Bisector& bisector);
 
 struct ProposedGenerators {
@@ -39,18 +39,18 @@ struct ProposedGenerators {
 ///
 /// A candidate that is too close to a generator along the surface (kMinAddedSpacing) is skipped for the next best one.
 /// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
-/// cell's other defects too. None at all where the surface round a tip is too narrow: others would not help.
-/// Returns at most `max_count` points; none where every candidate is too close.
-/// Throws Error{interrupted} if `progress`, which hears of each defect, cancels.
-/// Cost: O(n log n), and for each defect that of the elements of its cells and of the generators of its component.
+/// cell's other defects too. There are none at all if the surface around a tip is too narrow, because others would not
+/// help. Returns at most `max_count` points, and none if every candidate is too close. Throws Error{interrupted} if
+/// `progress`, which hears of each defect, cancels. Cost: O(n log n), and for each defect that of the elements of its
+/// cells and of the generators of its component.
 ProposedGenerators propose_generators(const Mesh& mesh, const Diagram& diagram, const std::vector<DualDefect>& defects,
                                       std::size_t max_count, const Progress& progress = {});
 
 class DefectRepair;  // propose_generators.cpp
 
-/// Lists points of which one may make discs of a cell as one more generator: opposite points (`find_opposite_points`),
-/// a second point at the generator's distance from a tip or the opposite one of the shortest loop, then vertices, from
-/// the farthest one to the generator. Too close ones are left out, as above.
+/// Lists candidates for one more generator that divides a cell into discs: opposite points (`find_opposite_points`),
+/// then a second point at the generator's distance from a tip, or the point opposite the generator on the shortest
+/// loop, then vertices, the farthest from the generator first. Points that are too close are left out, as above.
 class DiscCandidates {
  public:
   /// `count`: the most points of a cell. Mesh and diagram must outlive this. Cost: O(n).
@@ -73,12 +73,12 @@ struct NearbyGenerators {
   std::int64_t events = 0;  ///< windows propagated (DiagramReport) to find them
 };
 
-/// Repairs what generators that are about to be added to a diagram leave wrong near them, or make wrong. Rounds of
+/// Finds further generators for the defects near generators that are about to be added to a diagram. These rounds of
 /// `propose_generators` on a part of the mesh save rounds on all of it.
 ///
-/// Returns more generators to add, at most `max_count`. None where the part is more than a quarter of the mesh, or
-/// can't tell (LocalDual). Flipped triangles are not repaired: other repairs often remove them.
-/// Cost: for each round a diagram of the part.
+/// Returns at most `max_count` more generators, and none if the part is more than a quarter of the mesh or can't tell
+/// (LocalDual). Flipped triangles are not repaired, because other repairs often remove them. Cost: for each round a
+/// diagram of the part.
 NearbyGenerators propose_nearby(const Mesh& mesh, const Diagram& diagram, const std::vector<SurfacePoint>& added,
                                 std::size_t max_count, const DiagramOptions& options);
 

@@ -1,8 +1,8 @@
-// The repair of slivers: triangles so thin that their normal is of no use.
+// Repairs slivers, which are triangles so thin that their normal is meaningless.
 //
-// A sliver is no defect of the dual, and more generators do not always help: two generators that are close together
-// have slivers round them whatever is added. So this comes last, on a mesh that is right, and keeps generators only
-// where they leave fewer slivers. If they fail beside all slivers together, the thinnest half is next.
+// A sliver is not a defect of the dual, and more generators do not always help: two generators that are close together
+// have slivers around them whatever is added. So this comes last, on a mesh that is right, and keeps generators only if
+// they leave fewer slivers. If generators beside all slivers fail, the thinnest half is tried next.
 
 #include "repair/repair_slivers.hpp"
 
@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// Meshes that are tried.
+/// The largest number of meshes that are tried.
 constexpr int kTrials = 6;
 
 double q_of(const Mesh& mesh, FaceId f) {

@@ -13,7 +13,7 @@ namespace gvd {
 /// Faces with a Q below kSliverQ, ascending. Cost: O(n).
 std::vector<FaceId> find_slivers(const Mesh& remesh);
 
-/// Adds generators beside slivers, at most `max_count`, where that leaves fewer of them.
+/// Adds at most `max_count` generators beside slivers if that leaves fewer slivers.
 ///
 /// `remesh`: that of `diagram`, without defects. `accept(generators)`: whether their remesh is right and has fewer
 /// slivers; if so, it has made `diagram` and `remesh` theirs. Deterministic. Cost: six remeshes at most.

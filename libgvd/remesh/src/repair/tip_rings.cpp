@@ -22,8 +22,9 @@ namespace {
 /// counts as a shortest path. Distances are right to 1e-13 of themselves; a line across a fold is longer by far.
 constexpr double kStraightTolerance = 1e-9;
 
-/// Positions of the two new points of a ring, as parts of a full turn from the generator. Equal angles are best on a
-/// round tip. On a flat one, which is folded along two lines, they coincide in space if the generator lies on a fold.
+/// The positions of the two new points of a ring, as fractions of a full turn from the generator. Equal angles are best
+/// on a round tip. On a flat tip, which is folded along two lines, points at equal angles coincide in space if the
+/// generator lies on a fold.
 constexpr std::array<std::pair<double, double>, 3> kRingTurns{
     {{1.0 / 3, 2.0 / 3}, {1.0 / 4, 1.0 / 2}, {1.0 / 2, 3.0 / 4}}};
 
@@ -75,8 +76,8 @@ TipRings::TipRings(const Mesh& mesh, const Diagram& diagram)
   field_.emplace(mesh, points);
 }
 
-/// The sharpest vertex on each side of the annulus that is a tip. The largest side counts only where no other one has a
-/// tip: its sharpest vertex may be far away.
+/// The sharpest vertex on each side of the annulus that is a tip. The largest side counts only if no other one has a
+/// tip, because its sharpest vertex may be far away.
 std::vector<VertexId> TipRings::find_tips(GeneratorId annulus, const IdVector<GeneratorId, VertexId>& sharpest) const {
   std::vector<std::pair<double, VertexId>> sides;  // area, tip
   for (const auto& side : list_sides(annulus)) {
