@@ -129,7 +129,7 @@ class BorderTracer {
     if (first < loop.size()) std::rotate(loop.begin(), loop.begin() + first, loop.end());
   }
 
-  /// What is wrong with a cell; null if nothing is.
+  /// The reason why a cell can't be used; null if it can.
   ///
   /// A connected surface whose boundary is one simple loop is a disc if its Euler characteristic is 1. Each face has
   /// three halfedges, and those of the loop have no twin: Euler's formula gives the number of faces.

@@ -17,24 +17,24 @@ int count_disc_defects(const Cell& cell);
 /// Foretells by the labels of vertices how many cells would be discs with one more generator.
 ///
 /// A march from the point finds the vertices that would be nearest to it. A cell stands for its vertices, and the edges
-/// and faces between them. Where the mesh is fine enough, these have the cell's Euler characteristic; elsewhere the
-/// cell has no voice. It takes the time of the cell of the point, while a diagram of a part takes that of two rings
-/// of cells: of the whole mesh where there are few.
+/// and faces between them. If the mesh is fine enough, these have the cell's Euler characteristic; a cell for which it
+/// is too coarse does not count. A forecast takes time in proportion to the point's own cell. A diagram of a part takes
+/// that of two rings of cells, which are the whole mesh if there are few.
 class DiscForecast {
  public:
   /// The mesh must outlive this. Cost: O(n); memory: about 150 bytes a face.
   explicit DiscForecast(const Mesh& mesh);
 
-  /// Goes on with this diagram of the mesh, which must outlive the calls of `find`. Cost: O(n).
+  /// Takes this diagram of the mesh, which must outlive the calls of `find`. Cost: O(n).
   void take(const Diagram& diagram);
 
   /// Whether the vertices tell what the cell is.
   bool tells(GeneratorId cell) const { return tells_[cell] != 0; }
 
-  /// What one more generator would change. The least one is best.
+  /// The changes that one more generator would make. The least is best.
   struct Outcome {
     int defects = 0;  ///< `count_disc_defects` of all cells: below 0 for fewer
-    /// The sum of their squares: below 0 where a cell with several is divided into cells with one each.
+    /// The change in the sum of their squares: below 0 if a cell with several is divided into cells with one each.
     int squares = 0;
     int imbalance = 0;  ///< vertices that the cell has more than the new one, or fewer
     auto operator<=>(const Outcome&) const = default;

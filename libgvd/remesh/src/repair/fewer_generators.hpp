@@ -12,12 +12,12 @@
 
 namespace gvd {
 
-/// The ids of the first `points`, as many as a list holds, perhaps among others, in the same order. No two generators
-/// coincide, so a point tells one also where ids have changed. Cost: O(n).
+/// The ids of `points` in a list of generators that has them in the same order, perhaps among others; it may end before
+/// the last ones. No two generators coincide, so a point identifies its generator even if ids have changed. Cost: O(n).
 std::vector<GeneratorId> find_in_order(const std::vector<SurfacePoint>& points,
                                        const std::vector<SurfacePoint>& generators);
 
-/// What a search among the generators of a right dual may do.
+/// The limits of a search among the generators of a right dual.
 struct GeneratorSearch {
   std::size_t kept = 0;             ///< the first generators, which stay
   std::vector<SurfacePoint> fixed;  ///< of other generators that stay, too, in their order
@@ -29,20 +29,21 @@ struct GeneratorSearch {
   std::function<bool(const std::vector<SurfacePoint>&)> accept;
 };
 
-/// Looks for generators without which the dual has no defect either, among those that a repair has added. It tries to
-/// leave one out, and to put a single one in the place of two that are near each other. Where a single property counts,
-/// all are tried alone first: a trial of two looks for points in their place, and would take all the time.
+/// Removes generators that the dual does not need, among those that a repair has added. It tries to remove one, and to
+/// replace two that are near each other by one. If a single property counts, every generator is tried alone first,
+/// because trials of two, which look for points in their place, would use up all the time.
 ///
-/// Candidates for the place of two are the points that would repair the defects that the two leave. In the cells with
-/// these defects, branch points and some vertices are candidates, too. Afterwards no single added generator can be left
-/// out, as far as parts of the mesh tell, unless the search has ended at its limit.
-/// `diagram`: without defects. Returns false where the search ended at its limit. Deterministic.
+/// The candidates to replace two are the points that would repair the defects that the two leave, and the branch points
+/// and some vertices of the cells with these defects. Afterwards no single added generator can be removed, as far as
+/// parts of the mesh tell, unless the search ended at its limit. `diagram` must have no defects. Returns false if the
+/// search ended at its limit. Deterministic.
 bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search);
 
-/// Leaves out generators until `search.least` are left, where the surface is flattest for the distances between them.
+/// Removes generators until `search.least` are left, first those around which the surface is flattest for the distances
+/// between generators.
 ///
-/// `diagram`: without defects. Returns whether so many are left; without success they are as few as it came to.
-/// Deterministic.
+/// `diagram` must have no defects. Returns whether just so many are left; otherwise there are as few as the search
+/// reached. Deterministic.
 bool exchange_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search);
 
 }  // namespace gvd
