@@ -162,7 +162,9 @@ class Resolver {
     if (index < 0 || index >= count)
       refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
     const VertexId v = map ? (*map)[index] : VertexId(index);
-    if (!v.valid()) refuse(fmt::format("vertex {} is in no face of the mesh; choose another", index));
+    if (!v.valid())
+      refuse(fmt::format(
+          "vertex {} is in no face of the mesh, or its component was dropped as too small; choose another", index));
     return vertex_point(mesh_, v);
   }
 

@@ -58,6 +58,7 @@ PartDecimator::PartDecimator(const Mesh& mesh, std::span<const FaceId> faces, co
       corner_.push_back(local[v]);
     }
   }
+  vertices_left_ = std::ssize(vertex_);
   for (const VertexId v : vertex_) position_.push_back(mesh.position(v) - mesh.position(vertex_[0]));
   link(mesh, faces, places);
   add_quadrics();
@@ -216,6 +217,7 @@ void PartDecimator::collapse(std::int32_t v, std::int32_t halfedge) {
     leaving_[w] = first_of_fan(leaving_[w]);
   }
   target_[v] = w;
+  --vertices_left_;
   quadric_[w].add(quadric_[v]);
 }
 
@@ -245,20 +247,28 @@ void PartDecimator::decimate(double share, const std::function<void(double)>& re
     held += is_locked_[corner_[h]] || is_locked_[corner_[h + 1]] || is_locked_[corner_[h + 2]];
   }
   const std::int64_t faces = held + static_cast<std::int64_t>(share * static_cast<double>(left_ - held));
-  collapse_to(faces, report);
-  if (!guard_ || left_ <= faces) return;
+  decimate_while([&] { return left_ - faces; }, report);
+}
+
+void PartDecimator::decimate_to(std::int64_t vertices, const std::function<void(double)>& report) {
+  decimate_while([&] { return vertices_left_ - vertices; }, report);
+}
+
+void PartDecimator::decimate_while(const Excess& excess, const std::function<void(double)>& report) {
+  collapse_while(excess, report);
+  if (!guard_ || excess() <= 0) return;
   is_strict_ = false;
-  collapse_to(faces, [&](double) {
+  collapse_while(excess, [&](double) {
     if (report) report(1);
   });
 }
 
-void PartDecimator::collapse_to(std::int64_t faces, const std::function<void(double)>& report) {
-  const double all = static_cast<double>(std::max<std::int64_t>(1, left_ - faces));
+void PartDecimator::collapse_while(const Excess& excess, const std::function<void(double)>& report) {
+  const double all = static_cast<double>(std::max<std::int64_t>(1, excess()));
   const auto key = [&](std::int32_t v) { return find_best(v); };
   LazyMaxHeap heap(static_cast<std::int32_t>(vertex_.size()), key);
-  for (std::int64_t done = 0; left_ > faces && !heap.empty(); ++done) {
-    if (report && done % kCollapsesPerReport == 0) report(1 - static_cast<double>(left_ - faces) / all);
+  for (std::int64_t done = 0; excess() > 0 && !heap.empty(); ++done) {
+    if (report && done % kCollapsesPerReport == 0) report(1 - static_cast<double>(excess()) / all);
     const auto& top = heap.top(key);
     if (!(top.key > kNever)) break;
     const std::int32_t v = top.id, halfedge = best_[v];

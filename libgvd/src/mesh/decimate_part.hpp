@@ -56,6 +56,8 @@ class PartDecimator {
   /// others do not do. `report` is called now and then with the share of the work that is done, and
   /// may throw; it may be empty.
   void decimate(double share, const std::function<void(double)>& report = {});
+  /// The same until so many vertices are left.
+  void decimate_to(std::int64_t vertices, const std::function<void(double)>& report = {});
 
   /// Faces that are left, by vertices of the mesh.
   std::vector<std::array<VertexId, 3>> faces() const;
@@ -108,8 +110,11 @@ class PartDecimator {
   std::int32_t other_end(std::int32_t v, std::int32_t halfedge) const {
     return from(halfedge) == v ? to(halfedge) : from(halfedge);
   }
-  /// Collapses until so many faces are left, or none can be collapsed.
-  void collapse_to(std::int64_t faces, const std::function<void(double)>& report);
+  /// How many collapses, at least, a limit on faces or vertices still asks for; none at 0 or below.
+  using Excess = std::function<std::int64_t()>;
+  /// Collapses while there is an excess, first with the strict rules for faces; with a guard, then without these.
+  void decimate_while(const Excess& excess, const std::function<void(double)>& report);
+  void collapse_while(const Excess& excess, const std::function<void(double)>& report);
   bool is_refused_by_guard(std::int32_t v, std::int32_t halfedge);
   void collapse(std::int32_t v, std::int32_t halfedge);
   void remove_face(std::int32_t halfedge, std::int32_t kept);
@@ -135,7 +140,8 @@ class PartDecimator {
   std::vector<MovedFace> moved_;
   std::vector<std::int32_t> removed_;
   std::int32_t question_ = 0;
-  std::int64_t left_;
+  std::int64_t left_;           // faces
+  std::int64_t vertices_left_;  // without those that have collapsed
 };
 
 }  // namespace gvd

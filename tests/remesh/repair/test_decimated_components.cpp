@@ -58,6 +58,7 @@ Decimated decimate_all(const Mesh& surface, std::int64_t vertices) {
 TEST_CASE("decimated components: as many vertices as asked for, with the topology of the surface") {
   const Decimated sphere = decimate_all(test::make_sphere(3), 20);
   CHECK(sphere.mesh.vertex_count() == 20);
+  CHECK(decimate_all(test::make_grid(12, 9), 20).mesh.vertex_count() == 20);
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
     const Decimated made = decimate_all(mesh, 10);

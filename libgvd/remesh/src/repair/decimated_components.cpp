@@ -152,14 +152,6 @@ class PartGuard : public CollapseGuard {
   std::vector<std::int32_t> removed_;
 };
 
-/// The share of the faces that so many vertices have. Each collapse takes a vertex and two faces of a closed surface.
-double share_of_faces(const Mesh& mesh, std::int64_t vertices) {
-  const MeshSummary summary = compute_mesh_summary(mesh);
-  if (vertices >= summary.vertices) return 1;
-  if (summary.boundary_loops > 0) return double(vertices) / summary.vertices;
-  return std::max(0.0, (summary.faces - 2.0 * double(summary.vertices - vertices) + 0.5) / summary.faces);
-}
-
 }  // namespace
 
 DecimatedComponents::DecimatedComponents(const Mesh& surface)
@@ -226,7 +218,7 @@ void DecimatedComponents::decimate(const Submesh& own, CollapseGuard& guard, Par
   decimator.guard(guard);
   decimator.keep(
       [&](VertexId v) { return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0; });
-  decimator.decimate(share_of_faces(own.mesh, part.vertices), report);
+  decimator.decimate_to(part.vertices, report);
   take(own, decimator, part);
 }
 
