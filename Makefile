@@ -34,10 +34,11 @@ PAPER_MODELS ?= $(GVD_MODELS)
 RUNS_FIRST  ?= 1
 RUNS_COUNT  ?= 20
 
-.PHONY: help demo python web site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package release-check format lint tidy clean
+.PHONY: help demo python web playground site pictures figures test fuzz soups battery test-runs build count performance bench bench-lloyd bench-remesh why-exact paper sanitize sanitize-threads install package release-check format lint tidy clean
 
 help:
 	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
+	@echo "make playground  the same, and put the page into docs/playground.html, as for a release"
 	@echo "make site      build the documents as a site in BUILD/site, and run their examples"
 	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
 	@echo "make figures   measure the figures of the documents again, and write them"
@@ -96,6 +97,10 @@ web:
 	@echo "Packing the page and the npm package. The first time, npm fetches three.js and esbuild"
 	@web/make_web.sh $(BUILD)/web/module $(BUILD)/web
 	@echo "$(BUILD)/web/index.html"
+
+# At a release: the page of the checkout, which README opens.
+playground: web
+	@cp $(BUILD)/web/index.html docs/playground.html
 
 # Builds without the network, once the packages are there. GVD_SOURCE_URL: see mkdocs.yml.
 site: build python

@@ -7,6 +7,7 @@ import { basename, resolve } from 'node:path';
 import { bundle, fill_page, pack, read } from './bundle.mjs';
 
 const [folder, output, ...models] = process.argv.slice(2);
+const { version } = JSON.parse(readFileSync(`${folder}/package.json`, 'utf8'));
 const packed = (id, bytes) => `<script type="application/octet-stream" id="${id}">${pack(bytes)}</script>\n`;
 
 const load = new URL('src/playground/load.js', import.meta.url).pathname;  // in place of the package's
@@ -27,7 +28,8 @@ const data = [
 
 const page = read('src/page.html')
   .replace("script-src 'unsafe-inline'", "script-src 'unsafe-inline' 'wasm-unsafe-eval' blob:; worker-src blob:")
-  .replace('<aside>', () => `<aside>${read('src/playground/panel.html')}`)
+  .replace('<meta charset="utf-8">', `$&\n<meta name="generator" content="gvd ${version}">`)
+  .replace('<aside>', () => `<aside>${read('src/playground/panel.html').replace('<!--gvd:version-->', version)}`)
   .replace('<div id="notes">', '$&\n<output id="play-message" class="card" hidden aria-live="polite"></output>')
   .replace('<!--gvd:title-->', 'Geodesic Voronoi diagrams in the browser')
   .replace('<!--gvd:data-->', () => data.join(''));

@@ -1,6 +1,6 @@
 // Pages as users open them, in Chromium and Firefox, from disk and over HTTP: node pages.test.mjs FOLDER PAGE.html ...
 //
-// FOLDER is served at 127.0.0.1; the pages lie in it. Of the playground, `index.html`, a generator is dragged by the mouse.
+// FOLDER is served at 127.0.0.1; the pages lie in it. In the playground, a generator is dragged by the mouse.
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { createServer } from 'node:http';
@@ -196,7 +196,7 @@ async function use_cohort(page, { name }) {
   await expect_drawn(page, `${name}-result`, 'a result');
 }
 
-const kKinds = { 'index.html': use_playground, 'cohort.html': use_cohort };
+const kKinds = { 'index.html': use_playground, 'playground.html': use_playground, 'cohort.html': use_cohort };
 const use_of = (file) => kKinds[basename(file)] ?? use_viewer;
 const listed = pages.filter((page) => basename(page) !== 'page.html');  // those of a cohort are reached through its own
 const one_of_each = listed.filter((file, i) => i === listed.findIndex((other) => use_of(other) === use_of(file)));
