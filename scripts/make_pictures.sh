@@ -54,6 +54,7 @@ for steps in lbfgs none; do
     --report "$work/$steps.json"
 done
 "$(dirname "$0")"/plot_energies.py "$pictures/energies.svg" "$work/lbfgs.json" "$work/none.json"
+"$(dirname "$0")"/draw_how_it_works.py "$pictures"
 
 # A mesh that is cut along its bisectors.
 run gvd-segment data/figure.obj -n 24 --cut --view "$work/cut.html"
