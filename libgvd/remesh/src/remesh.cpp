@@ -113,13 +113,6 @@ std::string others(std::size_t count) {
   return count == 0 ? "" : ", and " + counted(std::int64_t(count), "more defect", "more defects");
 }
 
-/// The fewest vertices of a mesh with this topology: four for a sphere, three for a disc, six for an annulus, seven for
-/// a torus. With more than three handles it is an upper bound.
-std::int64_t least_vertices(const ComponentTopology& topology) {
-  const std::int64_t handles = twice_genus(1, topology.boundary_loops, topology.euler_characteristic) / 2;
-  return (topology.boundary_loops == 0 ? 4 : 3 * std::int64_t{topology.boundary_loops}) + 3 * handles;
-}
-
 /// The points of some generators, in the order of their ids.
 std::vector<SurfacePoint> list_points(const std::vector<SurfacePoint>& generators, std::vector<GeneratorId> ids) {
   std::sort(ids.begin(), ids.end());

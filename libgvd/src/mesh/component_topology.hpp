@@ -24,4 +24,11 @@ constexpr std::int32_t twice_genus(std::int32_t components, std::int32_t boundar
   return 2 * components - boundary_loops - euler_characteristic;
 }
 
+/// The fewest vertices of a mesh with this topology: four for a sphere, three for a disc, six for an annulus, seven for
+/// a torus. With more than three handles it is an upper bound.
+constexpr std::int64_t least_vertices(const ComponentTopology& topology) {
+  const std::int64_t handles = twice_genus(1, topology.boundary_loops, topology.euler_characteristic) / 2;
+  return (topology.boundary_loops == 0 ? 4 : 3 * std::int64_t{topology.boundary_loops}) + 3 * handles;
+}
+
 }  // namespace gvd
