@@ -25,7 +25,7 @@ run() {
 # The pictures of the README: its first commands.
 run gvd-segment data/figure.obj -n 24 --view "$work/segments.html"
 run gvd-lloyd   data/figure.obj -n 300 -o "$work/samples.json" --view "$work/samples.html"
-run gvd-remesh  data/figure.obj --generators "$work/samples.json" --view "$work/coarse.html"
+run gvd-remesh  data/figure.obj -n 300 --view "$work/coarse.html"
 
 # The pages of the tasks.
 python3 data/make_cortex.py "$work"
@@ -39,9 +39,6 @@ if command -v blender > /dev/null; then
   blender --background --factory-startup --python-exit-code 1 --python "$web/pictures/render_regions.py" -- \
     "$work/regions.obj" "$pictures/task_blender.webp" > /dev/null
 fi
-
-# The distances of a remesh from its input, before and after placement.
-run gvd-remesh  data/figure.obj -n 300 --view "$work/remesh.html"
 
 # Samplings, and a relaxation of random generators.
 run gvd-segment data/figure.obj -n 100 --view "$work/farthest.html"
@@ -65,6 +62,18 @@ run gvd-remesh  data/half_sphere.off -n 60 --view "$work/open_coarse.html"
 
 # Distances from two points.
 run gvd-distance data/figure.obj --from 17,2000 --isolines 0.1 --view "$work/isolines.html"
+
+# What the gallery shows beside these.
+run gvd-segment  data/figure.obj -n 24 --balance area --view "$work/gallery_equal.html"
+run gvd-segment  data/figure.obj --levels 6,60 --view "$work/gallery_levels.html"
+run gvd-segment  data/figure.obj -n 6 --disc --view "$work/gallery_discs.html"
+run gvd-distance data/figure.obj --from 17 --isolines 0.4 -o "$work/bands.json"
+run gvd-segment  data/figure.obj --curves "$work/bands.json" --view "$work/gallery_bands.html"
+run gvd-segment  data/plate.stl --curves creases --view "$work/gallery_creases.html"
+run gvd-segment  data/torus.ply -n 12 --view "$work/gallery_torus.html"
+run gvd-lloyd    data/torus.ply -n 200 --view "$work/gallery_torus_samples.html"
+run gvd-remesh   data/plate.stl -n 8 --features 40 --view "$work/gallery_box.html"
+run gvd-remesh   data/figure.obj -n 300 --density curvature --view "$work/gallery_curvature.html"
 
 cp -p "$web"/test/package.json "$web"/test/package-lock.json "$web"/test/.npmrc "$web"/pictures/*.mjs "$work"
 cd "$work"
