@@ -1,7 +1,7 @@
-"""What programs keep of each format, as the guide's table says: check_readers.py BIN_FOLDER WORK_FOLDER [--write].
+"""What programs keep of each format, as the table of the notes says: check_readers.py BIN_FOLDER WORK_FOLDER [--write].
 
 Each program that is installed reads the files of files.py. What it holds then is compared with the diagram, and the rows with
-those of docs/guide/formats.md; --write puts them there. Rows of programs that are missing stay.
+those of docs/notes/readers.md; --write puts them there. Rows of programs that are missing stay.
 """
 import dataclasses
 import json
@@ -14,7 +14,7 @@ import files
 import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
-GUIDE = HERE.parents[1] / "docs" / "guide" / "formats.md"
+PAGE = HERE.parents[1] / "docs" / "notes" / "readers.md"
 BEGIN, END = "<!-- what programs keep: begin -->\n", "<!-- what programs keep: end -->\n"
 HEAD = ["program", "format", "coordinates", "order of faces", "labels of faces", "labels of vertices", "distances", "colours", "bisectors", "texture"]
 FORMATS = [".ply", ".ply (text)", ".obj", ".off", ".coff as .off", ".stl", ".vtp", ".vtu", ".glb"]
@@ -341,20 +341,20 @@ def main():
     if not measured:
         print("skipped: none of the programs is installed")
         sys.exit(77)
-    before, rest = GUIDE.read_text().split(BEGIN)
+    before, rest = PAGE.read_text().split(BEGIN)
     table, after = rest.split(END)
     documented = table_lines(table)
     if "--write" in sys.argv:
         names = list(dict.fromkeys([*measured, *map(program_of, documented)]))
         lines = [line for n in names for line in measured.get(n, [d for d in documented if program_of(d) == n])]
         head = [" | ".join(HEAD).join(["| ", " |"]), "|" + "---|" * len(HEAD)]
-        GUIDE.write_text(before + BEGIN + "\n".join(head + lines) + "\n" + END + after)
+        PAGE.write_text(before + BEGIN + "\n".join(head + lines) + "\n" + END + after)
         return
     for name, lines in measured.items():
         said = [line.split("|", 2)[2] for line in documented if program_of(line) == name]
         found = [line.split("|", 2)[2] for line in lines]
-        assert said == found, f"{name}: the guide says\n" + "\n".join(said) + "\nand it keeps\n" + "\n".join(found)
-    print("compared with the guide:", ", ".join(measured))
+        assert said == found, f"{name}: the table says\n" + "\n".join(said) + "\nand it keeps\n" + "\n".join(found)
+    print("compared with the table:", ", ".join(measured))
     missing = {program_of(line) for line in documented} - set(measured)
     if missing:
         print("not installed:", ", ".join(sorted(missing)))
