@@ -220,7 +220,7 @@ cp /usr/share/doc/gvd/examples/path_of_a_mesh.c path.c
     cc path.c \$(pkg-config --cflags --libs gvd_c)
 ./a.out data/figure.obj 0 100
 apt-get install python3
-sed -n '/^\`\`\`py$/,/^\`\`\`/{//!p}' docs/guide/c.md > /tmp/lines.py
+sed -n '/^\`\`\`py$/,/^\`\`\`/{//!p}' docs/guide/c.md docs/developer/bindings.md > /tmp/lines.py
 python3 /tmp/lines.py
 " regions.ply regions.html
 
