@@ -34,7 +34,7 @@ struct ReportedGenerator {
 };
 
 /// The document of `--report`, schema `gvd-report/2`. The body of the run fills it in, and it is written once, at the
-/// end. docs/guide/formats.md lists its members.
+/// end. docs/schema/README.md lists its members.
 class RunReport {
  public:
   RunReport(const std::string& command, std::uint64_t seed);

@@ -2,7 +2,7 @@
 //
 // The remesh is one more member of the document of its diagram (gvd-diagram/1), so that a reader of diagrams reads it
 // too. The map (gvd-remesh-map/1) numbers the vertices of the input as the input's file does, and not as the checked
-// mesh. Both print element by element: memory does not grow with the result. docs/guide/formats.md describes them.
+// mesh. Both print element by element: memory does not grow with the result. docs/schema/README.md describes them.
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>

@@ -54,7 +54,7 @@ RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int thr
                         const Progress& progress = {});
 
 /// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input. For each vertex of the input file
-/// it has the point of the output, null where the vertex was dropped. docs/guide/formats.md describes it. The stream is
+/// it has the point of the output, null where the vertex was dropped. docs/schema/README.md describes it. The stream is
 /// flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
 void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map);
 
