@@ -69,7 +69,6 @@ run gvd-segment  data/figure.obj --levels 6,60 --view "$work/gallery_levels.html
 run gvd-segment  data/figure.obj -n 6 --disc --view "$work/gallery_discs.html"
 run gvd-distance data/figure.obj --from 17 --isolines 0.4 -o "$work/bands.json"
 run gvd-segment  data/figure.obj --curves "$work/bands.json" --view "$work/gallery_bands.html"
-run gvd-segment  data/plate.stl --curves creases --view "$work/gallery_creases.html"
 run gvd-segment  data/torus.ply -n 12 --view "$work/gallery_torus.html"
 run gvd-lloyd    data/torus.ply -n 200 --view "$work/gallery_torus_samples.html"
 run gvd-remesh   data/plate.stl -n 8 --features 40 --view "$work/gallery_box.html"

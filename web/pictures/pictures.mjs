@@ -49,7 +49,6 @@ export const kPictures = [
   { name: 'gallery_levels', page: 'gallery_levels', size: kSmall, show: kNoBranchPoints },
   { name: 'gallery_discs', page: 'gallery_discs', size: kSmall },
   { name: 'gallery_bands', page: 'gallery_bands', size: kSmall, show: kNoBranchPoints },
-  { name: 'gallery_creases', page: 'gallery_creases', size: kSmall, show: kNoBranchPoints },
   { name: 'gallery_torus', page: 'gallery_torus', size: kSmall, zoom: -1 },
   { name: 'gallery_torus_samples', page: 'gallery_torus_samples', size: kSmall, zoom: -1, show: kNoBranchPoints },
   { name: 'gallery_box', page: 'gallery_box', size: kSmall, ...kPlain },
