@@ -188,7 +188,7 @@ TEST_CASE("sample_on_copy: as many points as asked for, apart from each other, i
   const CoarseCopy copy = make_coarse_copy(mesh, mesh.face_count() / 4);
   SamplingOptions options;
   options.count = 40;
-  const std::vector<SurfacePoint> points = sample_on_copy(mesh, copy, options);
+  const std::vector<SurfacePoint> points = value_or_throw(sample_on_copy(mesh, copy, options));
   CHECK(points.size() == 40);
   CHECK(are_apart(mesh, points));
   const auto component = compute_face_components(mesh);

@@ -92,7 +92,7 @@ TEST_CASE("relax_generators: from a copy, the same on any number of threads") {
     LloydOptions options;
     options.diagram.threads = threads;
     options.max_iterations = 8;
-    const auto start = sample_on_copy(mesh, copy, {.count = 50, .progress = {}});
+    const auto start = value_or_throw(sample_on_copy(mesh, copy, {.count = 50, .progress = {}}));
     results[threads - 1] = relax_generators(mesh, start, options, {.copy = &copy, .keeps_extremities = true});
   }
   CHECK(results[0].generators == results[1].generators);
