@@ -159,8 +159,8 @@ class DiscMaker {
     return change;
   }
 
-  /// The end of a message: how the rounds went, and the advice that helps, because cells no longer than the surface is
-  /// thick are discs.
+  /// The end of a message: how the rounds went, and advice. Closer generators help, because a cell no longer than the
+  /// surface is thick is a disc.
   std::string describe_limit(std::size_t left) const {
     const std::string added_so_far = fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
                                                  counted(result_.rounds, "round", "rounds"));

@@ -111,8 +111,9 @@ class EdgeFlipper {
     double largest = 0;
   };
 
-  /// The distances of `pair`: of samples from the surface, and of the surface's points nearest to samples of this pair
-  /// and the other one from the triangles. Without the second, triangles through a thin part would be near.
+  /// The distances between the surface and `pair`. Samples of `pair` are measured from the surface. The points of the
+  /// surface that are nearest to samples of `pair` and of `other` are measured from `pair`; without them, triangles
+  /// that cut through a thin part would seem near.
   Distances measure(const std::array<Triangle, 2>& pair, const std::array<Triangle, 2>& other) const {
     const Mesh triangles = make_pair(pair);
     Distances distances;

@@ -16,7 +16,7 @@ struct FlipSearch {
   const Mesh* surface = nullptr;
   const ClosestPointTree* tree = nullptr;            ///< of the surface
   const std::vector<Vec3>* at_generators = nullptr;  ///< normals of the surface
-  const std::vector<Vec3>* at_faces = nullptr;       ///< those at the points of the faces
+  const std::vector<Vec3>* at_faces = nullptr;       ///< normals of the surface at the points of the faces
   const SpringPlan* plan = nullptr;
   const std::vector<char>* on_crease = nullptr;  ///< per vertex: an edge between two of these follows a crease
   double shape = 0;                              ///< the price of 1 - Q for one vertex, as in AnglePrice; > 0

@@ -43,9 +43,8 @@ constexpr double kLeastGain = 1e-9;
 constexpr double kForbidden = 0.1;
 
 /// The largest square distance that a vertex accepts for all its thin triangles, in units of a cell: that of a cell
-/// moved by a tenth of the root of its area. If generators are uneven, there may be no place with good triangles.
-/// Without the bound, vertices of the rotor with 500 unrelaxed generators moved up to 4.5 % of the diagonal; with it,
-/// 2.5 %.
+/// moved by a tenth of the root of its area. If generators are uneven, there may be no place with good triangles, and
+/// without the bound vertices would move far in vain (docs/notes/remesh-placement.md).
 constexpr double kMostPaid = 0.01;
 
 /// A triangle with a Q above this times most_q is not thin: the slack is a million times the rounding.
@@ -111,7 +110,7 @@ class AngleRaiser {
     return has_moved;
   }
 
-  /// How far a triangle's angle is below the angle of thin triangles, and below its bound.
+  /// How far a triangle's angle is below the angle of thin triangles, and how far below its own bound.
   double price_of_angle(FaceId f, const Triangle& triangle, double q) const {
     const bool flips = is_flipped(triangle, search_.guard->normals()[f]);
     const double bound = search_.guard->least_angles()[f];

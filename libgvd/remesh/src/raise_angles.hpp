@@ -26,8 +26,8 @@ struct AnglePrice {
   double shape = 0;   ///< of the lack of Q, 1 - Q; 0: vertices without thin triangles stay
 };
 
-/// The fraction of the price of Q that applies at creases and beside them. With a fifth, the RMS distance of fandisk,
-/// rotor and plate with 500 vertices would be 8 % larger, for a gain of .005 in mean Q.
+/// The fraction of the price of Q that applies at creases and beside them. A fifth would raise mean Q slightly, but
+/// make distances of models with creases larger by some percent (docs/notes/remesh-placement.md).
 inline constexpr double kShapeAtCrease = 0.1;
 
 /// Passes of raise_angles over the vertices, and places that a vertex tries in one.

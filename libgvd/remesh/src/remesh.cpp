@@ -59,19 +59,20 @@ constexpr std::int32_t kMaxPlacements = 20;
 constexpr std::int32_t kMostOfBody = 8;
 constexpr std::int32_t kMaxAssemblyPlacements = 2;
 
-/// The windows that a repair may propagate before components with defects are decimated: as many as so many diagrams
-/// like the first one, more for each face, because the first diagram of few generators says little about later ones,
-/// and a number that takes a fraction of a second on any mesh.
+/// The number of windows that a repair may propagate before components with defects are decimated is the sum of three:
+/// kRepairDiagrams times the windows of the first diagram; kRepairEventsPerFace for each face, because a first diagram
+/// of few generators says little about later ones; and kRepairEvents, which take a fraction of a second on any mesh.
 constexpr std::int64_t kRepairDiagrams = 60, kRepairEventsPerFace = 300, kRepairEvents = 200'000;
 
-/// Ordinary faces have 10 to 30 windows, needles have hundreds, and a diagram then takes as long as twenty others. If
-/// there are this many windows for each face, only so many rounds of repair follow.
+/// Ordinary faces have 10 to 30 windows, needles have hundreds, and a diagram of needles takes as long as twenty
+/// ordinary ones. If the first diagram has more than kNeedleEventsPerFace windows for each face, only kNeedleRounds
+/// rounds of repair follow.
 constexpr std::int64_t kNeedleEventsPerFace = 100;
 constexpr std::int32_t kNeedleRounds = 1;
 
-/// The generators that may be added to one component of an assembly: as many as it was given, and so many times the
-/// fewest vertices of its topology. After that it becomes its own triangles, with fewer vertices, so that a small part
-/// does not get more vertices than it is worth.
+/// One component of an assembly may get as many added generators as it was given, and kLeastMeshes times the fewest
+/// vertices of its topology. After that it becomes its own triangles, with fewer vertices, so that a small part does
+/// not get more vertices than it is worth.
 constexpr std::int64_t kLeastMeshes = 2;
 /// The number of rounds in which such a component may have defects.
 constexpr std::int32_t kMostComponentRounds = 8;
@@ -84,7 +85,8 @@ constexpr std::int32_t kStagnantRounds = 20;
 /// generators: the surface is then finer than their spacing nearly everywhere. Earlier rounds don't count, because few
 /// generators have few defects at first.
 constexpr std::int32_t kGrowthRound = 3;
-/// That rule applies once components have so many generators on average: the first four of a sphere have defects, too.
+/// The rule of kGrowthRound applies once components have so many generators on average, because the first few
+/// generators always have defects: the first four of a sphere do.
 constexpr std::size_t kGrowthGenerators = 8;
 
 void check_options(const RemeshOptions& options, std::size_t generators) {
@@ -192,7 +194,8 @@ class Remesher {
     if (result_.rounds == 1) result_.given_defects = round.defects;
     if (!round.defects.empty()) note_defects(round.defects);
     if (follows_creases) return false;
-    // Once duals are given up, those that meet decimated faces are decimated, too, and do not meet them any more.
+    // Once duals are given up, a dual that meets decimated faces is decimated as well, and these faces need no
+    // refinement.
     const bool duals_go = given_up_ && !round.defects.empty();
     if (!round.decimated_wrong.empty() && !duals_go) refine_decimated(round);
     if (!round.defects.empty()) {

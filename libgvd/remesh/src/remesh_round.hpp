@@ -22,7 +22,7 @@ struct RemeshRound {
   std::vector<SurfacePoint> face_points;
   std::vector<EdgeFlip> flips;          ///< of edges of the dual, that lead to the mesh
   std::vector<DualDefect> defects;      ///< of the dual
-  std::string obstacle;                 ///< why a dual without defects is no manifold mesh; empty as a rule
+  std::string obstacle;                 ///< why a dual without defects is no manifold mesh; usually empty
   std::vector<FaceId> decimated_wrong;  ///< faces of decimated components that intersect others
 };
 
@@ -56,8 +56,8 @@ class RoundMaker {
   void append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,
                         std::vector<SurfacePoint>& face_points) const;
   void build_mesh(const Diagram& diagram, RemeshRound& round) const;
-  /// The pairs of faces of the placed mesh that intersect, without the inherited ones: the vertices may have left the
-  /// intersections that there were at the generators.
+  /// The pairs of faces of the placed mesh that intersect, without the inherited ones. The latter are found on the
+  /// placed mesh, too, because its vertices may have left intersections that there were at the generators.
   std::vector<FacePair> find_intersections(const Diagram& diagram, const RemeshRound& round);
 
   const Mesh& mesh_;

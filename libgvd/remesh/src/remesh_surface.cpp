@@ -28,17 +28,16 @@ constexpr double kFewExchanged = 0.03;
 /// How much smaller that start is, as a fraction of the generators, if the exchange has not made enough room.
 constexpr double kFewerStart = 0.2;
 
-/// The size of the copies on which generators are relaxed, if a copy has at most half of the mesh's faces. Chosen with
-/// five seeds on nine models (docs/notes/performance.md).
+/// The size of the copies on which generators are relaxed, if a copy has at most half of the mesh's faces.
+/// docs/notes/performance.md compares sizes (Remeshes relaxed on copies).
 constexpr CopySize kRemeshCopySize{1'500, 20'000, 8};
 
-/// Smaller meshes have no copy by default if generators follow curves: on a copy, the least angle of the fandisk with
-/// 500 generators is 23 degrees instead of 28 (means of five seeds).
+/// Smaller meshes have no copy by default if generators follow curves: generators on creases do not move on a copy, and
+/// the least angle of the remesh falls (docs/notes/performance.md).
 constexpr std::int64_t kCurvesAbove = 300'000;
 
 /// Generators on the boundary do not move on a copy. If more than this fraction of them is on the boundary, a copy
-/// makes the result worse: a tenth of the lion's 500 generators moves along the boundary, and its Hausdorff distance is
-/// 1.6 % of the diagonal with a copy and 1.2 % without. The bunny has 4 of 100 there, and is as good with a copy.
+/// makes the result worse: with a tenth it does, with a twenty-fifth it does not (docs/notes/performance.md).
 constexpr double kMostOnBoundary = 0.08;
 
 /// Whether a larger fraction of `count` generators would move along the boundary if all are spread evenly. Three of
@@ -58,9 +57,10 @@ bool follows_creases(const Mesh& mesh, const RelaxationStart& start) {
   return false;
 }
 
-/// A needle is longer than this many times its height. If such a fraction of the faces are needles, paths cross many of
-/// them, and a diagram takes as long as twenty diagrams of ordinary meshes of that size. Then there are only so many
-/// iterations, unless the caller asks for more. Meshes of fewer faces take only seconds for all iterations.
+/// A needle is longer than kNeedle times its height. If needles are more than kNeedleShare of the faces, paths cross
+/// many of them, and a diagram takes as long as twenty diagrams of ordinary meshes of that size. Then the relaxation
+/// has kNeedleIterations, unless the caller asks for more. Meshes of fewer than kNeedleFaces take only seconds for all
+/// iterations.
 constexpr double kNeedle = 1000, kNeedleShare = 0.2;
 constexpr std::int32_t kNeedleFaces = 4096;
 constexpr std::int32_t kNeedleIterations = 3;
@@ -204,7 +204,7 @@ double rms(const RemeshResult& result) { return std::max(result.input_to_output.
 /// A remesh, or why there is none.
 struct Attempt {
   std::optional<SurfaceRemesh> made;
-  std::optional<std::int64_t> vertex_count;  ///< that was asked for
+  std::optional<std::int64_t> vertex_count;  ///< the exact number that was asked for
   std::optional<Error> failure;
 };
 
@@ -320,7 +320,7 @@ class CountSearch {
       const RemeshResult& result = tried.made->result;
       return std::max(result.input_to_output.hausdorff_bound, result.output_to_input.hausdorff_bound);
     }
-    // If not even smaller numbers gave a mesh, larger ones would take long. A number out of range does not count.
+    // If no number has given a mesh so far, larger ones would only take longer. A number out of range does not count.
     if (tried.failure->code() == ErrorCode::no_valid_result && !has_result_) refuse(mesh_, options_, tried);
     last_failure_ = tried.failure;
     return std::numeric_limits<double>::infinity();

@@ -12,7 +12,7 @@ namespace gvd {
 
 struct DiscOptions {
   DiagramOptions diagram;  ///< without weights
-  /// The largest number of generators to add, >= 0. If it is not set, `default_max_added`.
+  /// The largest number of generators to add, >= 0. If it is not set, the limit is `default_max_added`.
   std::optional<std::int64_t> max_added;
 };
 

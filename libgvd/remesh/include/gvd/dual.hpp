@@ -37,8 +37,8 @@ struct DualDefect {
   std::string message;             ///< one line: the property's number, the elements and the position
   std::vector<GeneratorId> cells;  ///< the cells involved
   std::int32_t component = -1;     ///< of the mesh, for component_reached; numbered as compute_face_components does
-  BisectorId bisector;             ///< valid where the property is one of bisectors
-  BranchPointId branch_point;      ///< valid where the property is one of branch points
+  BisectorId bisector;             ///< valid if the property is about a bisector
+  BranchPointId branch_point;      ///< valid if the property is about a branch point
 };
 
 /// The dual as triangles.
@@ -47,9 +47,13 @@ struct DualMesh {
   std::vector<BranchPointId> branch_points;       ///< of each face
 };
 
-/// Cuts the polygons of the branch points into triangles by ear clipping. An ear is allowed if its new edge is not an
-/// edge yet; the allowed ear with the best Q (see quality.hpp) is cut first. If a polygon has no allowed ear left, the
-/// rest of its triangles is missing, and check_dual reports it. Cost: O(k log k).
+/// Builds the dual: one triangle for each branch point of three cells, and k - 2 triangles for each one of k cells.
+///
+/// The polygon of k > 3 cells is cut by ear clipping. An ear is allowed if its new edge is not an edge yet; the allowed
+/// ear with the best Q (see quality.hpp) is cut first. If a polygon has no allowed ear left, the rest of its triangles
+/// is missing, and check_dual reports it.
+///
+/// Properties: (1) no cut adds an edge that a bisector or an earlier cut has made; (2) deterministic. Cost: O(k log k).
 DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
 
 /// Checks whether the dual of a diagram is a proper mesh: a simplicial complex with the topology of the surface.
@@ -63,11 +67,14 @@ DualMesh build_dual(const Mesh& mesh, const Diagram& diagram);
 ///  (6) two branch points do not have the same cells;
 ///  (7) every cell has at least three neighbours, or two if it touches the mesh's boundary;
 ///  (8) the cells round a branch point are all different;
-///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new. If all
-/// hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property (10),
-/// that no triangle is flipped, and `find_self_intersections` (11), that no two triangles intersect. The diagram must
-/// be sound (see check_diagram), and `dual` must be the result of build_dual for it. The defects are sorted by
-/// property. A defect never causes an exception. Cost: O(k log k) for k bisectors and branch points, O(n) for the mesh.
+///  (9) the polygon of a branch point of k > 3 cells can be cut into k - 2 triangles along edges that are new.
+///
+/// If all hold, the dual is a simplicial complex with the topology of the surface. `find_flipped_faces` checks property
+/// (10), that no triangle is flipped, and `find_self_intersections` (11), that no two triangles intersect.
+///
+/// The diagram must be sound (see check_diagram), and `dual` must be the result of build_dual for it. The defects are
+/// sorted by property. A defect never causes an exception. Cost: O(k log k) for k bisectors and branch points, O(n) for
+/// the mesh.
 std::vector<DualDefect> check_dual(const Mesh& mesh, const Diagram& diagram, const DualMesh& dual);
 
 /// A triangle is flipped unless the cosine of the angle between its normal and the surface's exceeds this value, and

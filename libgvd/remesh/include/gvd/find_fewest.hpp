@@ -18,12 +18,12 @@ struct FewestOptions {
 
 struct CountTrial {
   std::int32_t count = 0;
-  double error = 0;  ///< infinite where a number gives nothing
+  double error = 0;  ///< infinite if the number gives no result
 };
 
 struct Fewest {
-  std::optional<std::int32_t> count;  ///< the smallest that was tried and is enough; nothing if none is
-  std::vector<CountTrial> trials;     ///< in their order
+  std::optional<std::int32_t> count;  ///< the smallest number tried that is enough; nothing if none is
+  std::vector<CountTrial> trials;     ///< in the order in which they were made
 };
 
 /// Searches for the smallest number whose error is at most the target, if errors fall about as 1 / number. The error of

@@ -47,15 +47,15 @@ struct PlacementOptions {
   /// Generators on curves that edges follow. An edge between two of them, or between two on the boundary, is not
   /// flipped.
   std::vector<GeneratorId> on_curves;
-  /// The weight of good triangles against the distance with Placement::fit, in [0, 1]. 0: the distance counts most.
-  /// 1: the triangles do. Below 1/2 the two bounds on angles below approach kLeastPlacedAngle, which they reach at 0.
+  /// The weight of good triangles against the distance with Placement::fit, in [0, 1]. At 0 the distance counts most,
+  /// at 1 the triangles do. Below 1/2 the two bounds on angles below approach kLeastPlacedAngle, which they reach at 0.
   double shape = 0.5;
   /// No move makes an angle of a triangle smaller than this; degrees, in [0, 60]. An angle that is smaller already does
   /// not shrink.
   double least_angle = 33;
   /// The least angle of triangles at creases with Placement::fit; degrees, in [0, 60].
   double least_crease_angle = 20;
-  int threads = 0;    ///< 0: one a core; the result does not depend on it
+  int threads = 0;    ///< 0: one for each core; the result does not depend on it
   Progress progress;  ///< of the step "placement"
 };
 

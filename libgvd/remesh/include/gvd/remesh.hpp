@@ -32,8 +32,8 @@ enum class RemeshStage {
 struct RemeshOptions {
   DiagramOptions diagram;  ///< its progress callback serves the whole run
   bool refine = true;      ///< add generators if the dual of the given ones is not a proper mesh; otherwise throw
-  /// The largest number of generators to add, >= 0. If it is not set, default_max_added; that is raised to three times
-  /// as many if the defects so far suggest that this will be enough.
+  /// The largest number of generators to add, >= 0. If it is not set, the limit is default_max_added, and is raised to
+  /// three times as many if the defects so far suggest that this will be enough.
   std::optional<std::int64_t> max_added;
   /// The exact number of vertices of the mesh, >= 1. If it is not set, the mesh has as many as it needs. To make room
   /// for added generators, given ones that the dual does not need are left out, but none of the first `kept` and none
@@ -47,15 +47,15 @@ struct RemeshOptions {
   /// long. The given generators there are then no vertices. Has an effect only with `refine`, and without `max_added`
   /// and `vertex_count`.
   bool may_decimate = false;
-  /// Whether faces may intersect each other. Otherwise generators are added near them as near other defects. Faces that
-  /// inherit their intersection from the input (find_inherited) are always accepted.
+  /// Whether faces may intersect each other. If not, generators are added near intersecting faces as near other
+  /// defects. Faces that inherit their intersection from the input (find_inherited) are always accepted.
   bool allow_intersections = false;
   /// Curves that the dual's edges should follow: creases, and the boundary (trace_creases). With `refine`, generators
   /// are added on a curve where other cells interrupt it, and where a long edge would cut off a bend of a crease. They
   /// count towards `max_added`, and there are at most 100 more of them than given generators.
   std::vector<CreaseCurve> creases;
-  /// Where the vertices are. `fixed` has ids of given generators. Its `threads` and `progress` are ignored for those of
-  /// `diagram`.
+  /// Where the vertices are. `fixed` has ids of given generators. The `threads` and `progress` of `diagram` apply here
+  /// as well; those of the placement are ignored.
   PlacementOptions placement;
   /// Called at the beginning of every stage, from the calling thread, so that a caller can time them; may be empty.
   std::function<void(RemeshStage)> on_stage;
@@ -129,11 +129,13 @@ struct RemeshResult {
 ///
 /// Properties: (1) the certificate of a result is ok; (2) with Placement::generator, vertex i is at generator i, bit by
 /// bit; (3) no given generator is moved, and none is removed without `vertex_count` or `may_decimate`; (4)
-/// deterministic, for any number of threads. Throws Error{no_valid_result} if no proper mesh is found within the limits
-/// of `max_added`, kMaxRemeshRounds, `refine` and `vertex_count`; the message names the property that fails and where.
-/// Throws Error{invalid_option} for a negative `max_added`, and what check_placement and compute_diagram throw. Cost:
-/// one diagram for each round; the hardest surfaces take some tens of rounds. Source: the dual of geodesic cells as a
-/// remesh is that of Peyré and Cohen, Geodesic remeshing using front propagation, 2006.
+/// deterministic, for any number of threads.
+/// Throws Error{no_valid_result} if no proper mesh is found within the limits of `max_added`, kMaxRemeshRounds,
+/// `refine` and `vertex_count`; the message names the property that fails and where. Throws Error{invalid_option} for a
+/// negative `max_added`, and what check_placement and compute_diagram throw.
+/// Cost: one diagram for each round; the hardest surfaces take some tens of rounds.
+/// Source: the dual of geodesic cells as a remesh is that of Peyré and Cohen, Geodesic remeshing using front
+/// propagation, 2006.
 RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators, const RemeshOptions& options = {});
 
 /// The same for a known diagram of the given generators, such as the last one of a relaxation, which saves a diagram.
@@ -141,7 +143,7 @@ RemeshResult remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generator
 /// vertices and faces are not the mesh's.
 RemeshResult remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});
 
-/// Both doors, with the Error{no_valid_result} returned instead of thrown.
+/// The two functions above, except that Error{no_valid_result} is returned instead of thrown.
 OrError<RemeshResult> try_to_remesh(const Mesh& mesh, const std::vector<SurfacePoint>& generators,
                                     const RemeshOptions& options = {});
 OrError<RemeshResult> try_to_remesh(const Mesh& mesh, Diagram diagram, const RemeshOptions& options = {});

@@ -33,9 +33,10 @@ struct RemeshCertificate {
   std::int64_t unused_generators = 0;  ///< generators that are a vertex of no face
 
   std::vector<FacePair> self_intersections;  ///< of the remesh: they have a common point outside of what they share
-  /// How many of these have parts of the input under them that intersect each other: no failure.
+  /// How many of these pairs are inherited: the parts of the input under the two faces intersect each other. They are
+  /// accepted.
   std::int64_t inherited_intersections = 0;
-  bool intersections_allowed = false;  ///< whether other ones are no failure, either
+  bool intersections_allowed = false;  ///< whether all other pairs are accepted, too
 
   /// Whether all properties hold.
   bool ok() const;

@@ -16,11 +16,11 @@ namespace gvd {
 struct RemeshMap {
   IdVector<VertexId, SurfacePoint> points;   ///< per vertex of the surface: its point of the remesh
   IdVector<VertexId, SurfacePoint> origins;  ///< per vertex of the remesh: its point of the surface
-  bool one_to_one = false;                   ///< whether both are those of a map that was checked to be one-to-one
-  std::string obstacle;                      ///< otherwise what is in the way, as part of a sentence
+  bool one_to_one = false;                   ///< whether both come from a map that was checked to be one-to-one
+  std::string obstacle;                      ///< why it is not one-to-one, as part of a sentence
   std::int64_t kept_faces = 0;               ///< faces of the surface whose image is oriented as the remesh there is
-  std::int64_t reversed_faces = 0;           ///< those whose image is turned round, as below
-  std::int64_t collapsed_faces = 0;          ///< those whose image has no area
+  std::int64_t reversed_faces = 0;           ///< faces whose image is turned over, as map_to_remesh says
+  std::int64_t collapsed_faces = 0;          ///< faces whose image has no area
   double largest_move = 0;                   ///< distance of a vertex of the surface from its point, mesh units
   double mean_move = 0;                      ///< the mean of these distances, mesh units
 };
@@ -44,18 +44,18 @@ struct RemeshMap {
 /// degrees or more away from the sum of the remesh's normals at these points. A one-to-one map may bend a face that
 /// much, but it reverses no part of it.
 ///
-/// Properties: (1) every vertex has a point; (2) of two limbs, or two sheets, that are close in space, it is on the
-/// right one; (3) a boundary vertex goes to the boundary, and one on the boundary comes from there; (4) a remesh's
-/// vertex that is at its generator, and a vertex of the surface, and the generator are each other's points; (5)
-/// deterministic, for every number of `threads` (0: one a core).
+/// Properties: (1) every vertex has a point; (2) if two limbs or two sheets are close in space, the point is on the
+/// right one; (3) a boundary vertex goes to the boundary, and a boundary vertex of the remesh comes from there; (4) if
+/// a vertex of the remesh is at its generator, and the generator is at a vertex of the surface, then each of the two
+/// vertices is the point of the other; (5) deterministic, for any number of `threads` (0: one for each core).
 /// Throws Error{precondition} if `result` is no remesh of `surface`, Error{interrupted} if `progress` cancels.
 /// Cost: O(n log n), and a sparse system for each cell.
 RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0,
                         const Progress& progress = {});
 
-/// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input. For each vertex of the input file
-/// it has the point of the output, null where the vertex was dropped. docs/schema/README.md describes it. The stream is
-/// flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
+/// Writes `gvd-remesh-map/1`: for each vertex of the output its point of the input, and for each vertex of the input
+/// file its point of the output, or null if the vertex was dropped. docs/schema/README.md describes the format. The
+/// stream is flushed and checked. Throws Error{unwritable_output}. Cost: O(n).
 void write_map_json(std::ostream& out, const CheckedMesh& input, const RemeshMap& map);
 
 }  // namespace gvd

@@ -47,10 +47,10 @@ struct SurfaceRemeshOptions {
 };
 
 struct SurfaceRemesh {
-  RelaxationStart start;                  ///< its points are those that the remesh began with: relaxed
-  std::optional<LloydResult> relaxation;  ///< without its diagram; nothing where no iteration was asked for
+  RelaxationStart start;                  ///< its points are the relaxed ones, with which the remesh began
+  std::optional<LloydResult> relaxation;  ///< without its diagram; nothing if no iteration was asked for
   bool relaxation_ends_on_copy = false;   ///< no iteration on the mesh follows those on the copy, if there is one
-  RemeshOptions options;                  ///< those that the remesh was made with
+  RemeshOptions options;                  ///< with which the remesh was made
   RemeshResult result;
 };
 
@@ -72,10 +72,13 @@ SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& optio
 /// units, > 0.
 ///
 /// A number for which no mesh is found counts as infinitely far. If that happens before any mesh was found, the search
-/// ends with the error, because larger numbers would only take longer. The largest number is four for each vertex of
-/// the mesh, or 2000 if that is more. `on_trial` is called after every trial and may be empty.
+/// ends with the error, because larger numbers would only take longer. The largest number tried is four for each vertex
+/// of the mesh, or 2000 if that is more. `on_trial` is called after every trial and may be empty.
 ///
-/// Throws what remesh_surface throws, and Error{no_valid_result} if no number is enough. Cost: up to 17 remeshes.
+/// Properties: those of `find_fewest`, with the Hausdorff distance (its bound, the larger of both directions) as the
+/// error.
+/// Throws what remesh_surface and find_fewest throw, and Error{no_valid_result} if no number is enough. Cost: at most
+/// 16 calls of remesh_surface.
 Fewest find_remesh_count(const Mesh& mesh, const SurfaceRemeshOptions& options, double distance,
                          const std::function<void(const CountTrial&)>& on_trial = {});
 

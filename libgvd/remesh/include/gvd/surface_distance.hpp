@@ -23,13 +23,15 @@ inline constexpr double kLeastHausdorffTolerance = 1e-6;
 ///
 /// Each face of `from` is cut into equal triangles, at least 2^15 in all, or eight for each face of the two meshes if
 /// that is less. The RMS sums square distances over these triangles by a rule that is exact for quadratic functions.
-/// For the Hausdorff distance, note that the distance from a single face of `to` is a convex function, so on a triangle
-/// it is largest at a corner, and that value bounds the distance from `to`. Triangles whose bound exceeds the largest
-/// distance found are cut, largest bound first, until none is left or 2^20 and four for each face of `from` have been
-/// cut.
-///  Properties: (1) the result does not depend on `threads` (0: one for each core); (2) it is invariant under rigid
-/// motions, up to rounding; (3) `hausdorff` <= the Hausdorff distance <= `hausdorff_bound`. Throws Error{precondition}
-/// if one of the meshes has no face. Cost: O(n log m) for n triangles and m faces.
+///
+/// The Hausdorff distance is searched for by branch and bound. The distance from a single face of `to` is a convex
+/// function, so on a triangle it is largest at a corner, and that value bounds the distance from `to`. Triangles whose
+/// bound exceeds the largest distance found are cut, largest bound first, until none is left or 2^20 and four for each
+/// face of `from` have been cut.
+///
+/// Properties: (1) the result does not depend on `threads` (0: one for each core); (2) it is invariant under rigid
+/// motions, up to rounding; (3) `hausdorff` <= the largest distance <= `hausdorff_bound`.
+/// Throws Error{precondition} if one of the meshes has no face. Cost: O(n log m) for n triangles and m faces.
 SurfaceDistance measure_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,
                                          const Progress& progress = {});
 
@@ -39,10 +41,12 @@ inline constexpr double kSampledTriangles = 1 << 16;
 /// Distances of vertices and points of the faces of `from` from `to`, for pictures.
 ///
 /// A face with the fraction a of the area is cut into k * k triangles, where k is the square root of a *
-/// kSampledTriangles, rounded down, at least 1 and at most DistanceSamples::kMaxSteps. Properties: (1) a surface with
-/// many faces has no lattice, and no other one more than 1.5 * kSampledTriangles points;
-/// (2) independent of `threads` (0: one a core). Throws Error{precondition} if one of the meshes has no face. Cost: O(n
-/// log m) for n samples and m faces.
+/// kSampledTriangles, rounded down, at least 1 and at most DistanceSamples::kMaxSteps.
+///
+/// Properties: (1) the lattices have at most 1.5 * kSampledTriangles points in all, and none if every face is cut into
+/// a single triangle, as on a surface of many faces; (2) the result does not depend on `threads` (0: one for each
+/// core).
+/// Throws Error{precondition} if one of the meshes has no face. Cost: O(n log m) for n samples and m faces.
 DistanceSamples sample_surface_distance(const Mesh& from, const Mesh& to, int threads = 0,
                                         const Progress& progress = {});
 

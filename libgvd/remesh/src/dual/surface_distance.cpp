@@ -72,7 +72,8 @@ double rounding_of(const Mesh& mesh) {
 
 constexpr StepPart kOfVertices{"distance", 0, 0.3}, kOfFaces{"distance", 0.3, 0.6};
 
-/// The vertices, each search from the face nearest to the vertex before. `enough`: that of `nearest_face`.
+/// The closest points of the vertices. Each search starts from the face nearest to the vertex before. `enough` is that
+/// of `nearest_face`.
 std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, double enough,
                                     const ParallelChunks& parallel) {
   return parallel.collect(cut_into_chunks(from.vertex_count(), kFacesPerChunk), kOfVertices, [&](const Chunk& chunk) {
@@ -134,7 +135,7 @@ class FlatSector {
     return turn > 0;
   }
 
-  /// A closed one has been round the vertex once.
+  /// Whether the sector is convex. A closed one has been round the vertex once.
   bool is_convex() const { return angle_ <= std::numbers::pi || (is_closed_ && angle_ < 3 * std::numbers::pi); }
 
   /// A bound on the distance of the faces from points in the convex hull of points on them that are no farther from the
@@ -156,11 +157,12 @@ class FlatSector {
 /// Bounds on the distances of all points of a triangle, from the closest points of its corners.
 class PieceBounds {
  public:
-  /// Both must outlive this. `tolerance`: what does not matter, mesh units.
+  /// Both must outlive this. A face that is at most `tolerance` farther away than the nearest one counts as nearest,
+  /// too; mesh units.
   PieceBounds(const Mesh& to, const ClosestPointTree& tree, double tolerance)
       : to_(to), tree_(tree), tolerance_(tolerance) {}
 
-  /// The least bound; one above `enough` is worth more work than one below.
+  /// Returns the least bound found. The costlier bounds are tried only while the least one is above `enough`.
   double find(const Corners& corners, double enough) const {
     double least = by_one_face(corners);
     for (std::size_t k = 0; k < 3; ++k) {
@@ -174,8 +176,8 @@ class PieceBounds {
   }
 
  private:
-  /// Over the triangle, the distance from one face is convex, so the largest value is at a corner. Among the faces
-  /// nearest to the corners, the one with the least such value counts.
+  /// The bound by a single face. Over the triangle, the distance from one face is convex, so the largest value is at a
+  /// corner. Among the faces nearest to the corners, the one with the least such value counts.
   double by_one_face(const Corners& corners) const {
     double least = kInfinity;
     for (const Sample& candidate : corners) {
@@ -189,10 +191,10 @@ class PieceBounds {
     return least;
   }
 
-  /// The distances of two points differ by no more than the distance between the points. No point of a triangle is
-  /// farther from its nearest corner than 1 / sqrt(3) of the longest side, which is the radius of an equilateral
-  /// triangle. And no point is farther from the longest side than the height above it, where a point lies between two
-  /// corners.
+  /// The bound by the size of the triangle. The distances of two points differ by no more than the distance between the
+  /// points. No point of a triangle is farther from its nearest corner than 1 / sqrt(3) of the longest side, which is
+  /// the radius of an equilateral triangle. And no point is farther from the longest side than the height above it,
+  /// where a point lies between two corners.
   double by_size(const Corners& corners) const {
     const auto [start, length, height] = longest_side(corners);
     const auto& [a, b, c] = corners;
@@ -209,10 +211,10 @@ class PieceBounds {
     return {};
   }
 
-  /// The first corner is nearest to the face of h, the others are to that of its twin. The closest points of the
-  /// corners make a triangle. It is cut where it crosses the edge, best of all; its parts are as near to the faces as
-  /// the ends of the cut are to the edge. All maps between the three are linear in each part, so corners have the
-  /// largest values.
+  /// The bound by two faces: the first corner is nearest to the face of h, and the others are nearest to that of its
+  /// twin. The closest points of the corners make a triangle. Cut it where it crosses the edge, if it does: each part
+  /// is as near to its face as the ends of the cut are to the edge. All maps between the three triangles are linear in
+  /// each part, so the largest values are at corners.
   double by_two(const Corners& corners, HalfedgeId h) const {
     const Vec3 &start = to_.position(to_.from(h)), &end = to_.position(to_.to(h));
     const auto closest = [&](const Sample& s) {
@@ -234,7 +236,8 @@ class PieceBounds {
     return farthest + off_edge;
   }
 
-  /// By the faces around a vertex that the faces nearest to the corners have in common. Infinite if there is none.
+  /// The bound by the faces around a vertex that the faces nearest to the corners have in common. Infinite if there is
+  /// no such vertex.
   double by_fan(const Corners& corners) const {
     double least = kInfinity;
     for (const Sample& start : corners) {
@@ -249,8 +252,8 @@ class PieceBounds {
     return least;
   }
 
-  /// By the faces from that of h on, until one is as near to each corner as its nearest face, and the sector is convex.
-  /// It then holds the triangle of the corners' closest points.
+  /// The bound by consecutive faces around a vertex, from that of h on, until one of them is as near to each corner as
+  /// its nearest face, and the sector is convex. It then holds the triangle of the corners' closest points.
   double by_sector(const Corners& corners, HalfedgeId h) const {
     FlatSector sector(to_, h);
     const HalfedgeId first = h;

@@ -117,7 +117,7 @@ void scale_normals(std::vector<MeshProperty>& properties) {
   }
 }
 
-/// The faces of a chart, where the nearest point of it is looked for.
+/// The faces of a chart as a mesh of their own, in which nearest points are searched for.
 struct SearchedChart {
   Submesh part;
   ClosestPointTree tree{part.mesh};
@@ -197,7 +197,7 @@ class TextureCarrier {
   const std::vector<Uv>& corners_;  // where each halfedge begins
   IdVector<FaceId, FaceId> chart_;  // the smallest face of the chart; invalid without texture coordinates
   std::map<FaceId, std::vector<FaceId>> faces_;
-  std::map<FaceId, std::unique_ptr<SearchedChart>> searched_;  // charts that some point was outside of
+  std::map<FaceId, std::unique_ptr<SearchedChart>> searched_;  // charts in which a nearest point was searched for
 };
 
 }  // namespace

@@ -43,7 +43,7 @@ std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>&
 
 namespace {
 
-/// Share of even spacing in the spacing of a path's vertices. It keeps those apart that nearly coincide.
+/// Share of even spacing in the spacing of a path's vertices. It keeps vertices apart that nearly coincide.
 constexpr double kEvenShare = 0.01;
 
 /// Numbers from 0 to 1 for the vertices of a path, ascending, by their distances.
@@ -361,7 +361,7 @@ SurfacePoint find_nearest_facing(const Mesh& mesh, const std::vector<FaceId>& fa
 SurfacePoint PlaneCell::image(const Vec2& point) const {
   const Vec2 first = bases.front() - apex;
   const double angle = angle_between(first, point - apex);
-  // The base behind the first one, to the last one, whose end may be the first base again.
+  // The first base behind the angle, or else the last base, which may be the same point as the first one.
   const auto behind = std::upper_bound(bases.begin() + 1, bases.end() - 1, angle, [&](double value, const Vec2& base) {
     return value < angle_between(first, base - apex);
   });

@@ -13,8 +13,8 @@ namespace gvd {
 /// The lengths from a path's first vertex to each of its vertices, mesh units. Cost: O(k).
 std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>& path);
 
-/// The straight piece of a polygon to which the map takes a halfedge of a cell's border that is between two cells. With
-/// the polygon's corner of the cell, the apex, the piece is a triangle.
+/// The straight piece of a polygon to which the map takes a halfedge of a cell's border that is between two cells.
+/// Together with the apex, which is the polygon's corner for the cell, the piece makes a triangle.
 struct BorderTarget {
   HalfedgeId halfedge;
   const DualPolygon* polygon = nullptr;
@@ -27,7 +27,7 @@ struct BorderTarget {
 void place_crossings(const CellSurface& surface, DualPolygons& polygons);
 
 /// A cell in the plane: the surface's faces by a convex combination map, and the remesh's part by a fan of triangles.
-/// Both have the same border, vertex by vertex. Going from one to the other is the map.
+/// Both have the same border, vertex by vertex, so that a point can go from one to the other.
 struct PlaneCell {
   PlaneDisc disc;
   VertexId vertex;                    ///< of the remesh: where the fan's apex goes

@@ -32,7 +32,7 @@ constexpr int kMostRefinements = 12;
 constexpr std::size_t kMostMoved = 64;
 
 /// The faces of all decimated components in a tree of their boxes. A face keeps its place in the tree, because it stays
-/// near the face of the surface that it was.
+/// near the face of the surface from which it was made.
 class FaceGuard {
  public:
   FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface) {

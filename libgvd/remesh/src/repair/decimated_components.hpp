@@ -18,8 +18,8 @@ namespace gvd {
 /// A triangle of a decimated component, by vertices of the surface.
 struct DecimatedFace {
   std::array<VertexId, 3> corners;
-  /// The face of the surface that it was. Each corner of that face has collapsed to one of `corners`, or is one of
-  /// them.
+  /// The face of the surface from which this one was made. Each corner of that face is one of `corners`, or has
+  /// collapsed to one of them.
   FaceId origin;
 
   /// The middle of its origin. It stands for the face on the surface, as a branch point does for a triangle of a dual.
@@ -64,7 +64,7 @@ class DecimatedComponents {
 
  private:
   struct Part {
-    std::int64_t vertices = 0;    // as asked for
+    std::int64_t vertices = 0;    // the number asked for
     std::vector<FaceId> surface;  // its faces there
     std::vector<DecimatedFace> faces;
     int refinements = 0;
@@ -73,7 +73,7 @@ class DecimatedComponents {
 
   /// Decimates one component. `own`: its faces.
   void decimate(const Submesh& own, CollapseGuard& guard, Part& part, const std::function<void(double)>& report);
-  /// Takes what is left, and who collapsed to whom.
+  /// Stores the faces that are left, and which vertices have collapsed to which.
   void take(const Submesh& own, const PartDecimator& decimator, Part& part);
 
   const Mesh& surface_;

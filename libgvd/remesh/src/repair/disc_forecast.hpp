@@ -14,7 +14,7 @@ namespace gvd {
 /// How far a cell is from a disc.
 int count_disc_defects(const Cell& cell);
 
-/// Foretells by the labels of vertices how many cells would be discs with one more generator.
+/// Forecasts from the labels of vertices how many cells would be discs with one more generator.
 ///
 /// A march from the point finds the vertices that would be nearest to it. A cell stands for its vertices, and the edges
 /// and faces between them. If the mesh is fine enough, these have the cell's Euler characteristic; a cell for which it
@@ -28,7 +28,7 @@ class DiscForecast {
   /// Takes this diagram of the mesh, which must outlive the calls of `find`. Cost: O(n).
   void take(const Diagram& diagram);
 
-  /// Whether the vertices tell what the cell is.
+  /// Whether the vertices of this cell have its Euler characteristic, so that a forecast can tell what becomes of it.
   bool tells(GeneratorId cell) const { return tells_[cell] != 0; }
 
   /// The changes that one more generator would make. The least is best.

@@ -21,10 +21,10 @@ std::vector<GeneratorId> find_in_order(const std::vector<SurfacePoint>& points,
 struct GeneratorSearch {
   std::size_t kept = 0;             ///< the first generators, which stay
   std::vector<SurfacePoint> fixed;  ///< of other generators that stay, too, in their order
-  std::size_t least = 0;            ///< it ends with so many generators
+  std::size_t least = 0;            ///< the search ends when so many generators are left
   std::int64_t most_events = 0;     ///< windows propagated (DiagramReport) in all diagrams, after which the search ends
   DiagramOptions diagram;
-  std::optional<DualProperty> only = {};  ///< the property that counts; nothing: all
+  std::optional<DualProperty> only = {};  ///< the only property that counts; if not set, all count
   /// Whether the dual of these generators is right. If so, it has made the diagram of the search theirs.
   std::function<bool(const std::vector<SurfacePoint>&)> accept;
 };
@@ -42,8 +42,8 @@ bool search_fewer_generators(const Mesh& mesh, const Diagram& diagram, const Gen
 /// Removes generators until `search.least` are left, first those around which the surface is flattest for the distances
 /// between generators.
 ///
-/// `diagram` must have no defects. Returns whether just so many are left; otherwise there are as few as the search
-/// reached. Deterministic.
+/// `diagram` must have no defects. Returns whether exactly that many are left; if not, more are left, as few as the
+/// search could reach. Deterministic.
 bool exchange_generators(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search);
 
 }  // namespace gvd

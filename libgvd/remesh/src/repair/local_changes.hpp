@@ -27,7 +27,7 @@ class LocalChanges {
 
   /// The number of generators after the collected changes.
   std::size_t count() const { return diagram_.generators.size() - collected_.size() - both_; }
-  /// Whether all diagrams so far exceed the limit.
+  /// Whether the work of all diagrams so far exceeds the limit.
   bool is_over() const { return events_ > search_.most_events; }
   /// Whether a trial with this generator is pointless now, because nothing has changed near it since its last trial, or
   /// a collected change is near.

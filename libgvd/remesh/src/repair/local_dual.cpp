@@ -3,7 +3,7 @@
 // Only the faces of these cells and of two rings of cells round them are computed again. The result is trusted for the
 // inner cells: those that meet no face of the part's fringe, in which other cells begin. If a new cell reaches the
 // fringe, the part can't tell, and there is no result. docs/developer/proofs.md has the proof.
-//
+
 #include "repair/local_dual.hpp"
 
 #include <algorithm>

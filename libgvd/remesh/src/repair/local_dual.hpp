@@ -32,15 +32,15 @@ CellPart cut_out_cells(const Mesh& mesh, const Diagram& diagram, const CellFlags
 /// The diagram and the dual near some cells of a diagram, after generators have been removed and added there. Only the
 /// faces of these cells and of two rings of cells round them are computed again.
 ///
-/// It is right for this reason. A shortest path from a generator stays in its cell. New generators take area away from
-/// cells, and the cells round a removed one share what was its own. The fringe of the part consists of the faces in
-/// which other cells begin. As long as no new cell reaches it, all shortest paths to points of the part's cells stay in
-/// the part. In the fringe, other generators may be nearer. A cell that meets no face of the fringe is the same in the
-/// diagram of the whole mesh. docs/developer/proofs.md has the proof.
+/// The result is right for the following reason. A shortest path from a generator stays in its cell. New generators
+/// take area away from cells, and if a generator is removed, the cells around it share its area. The fringe of the part
+/// consists of the faces in which other cells begin. As long as no new cell reaches it, all shortest paths to points of
+/// the part's cells stay in the part. In the fringe, other generators may be nearer. A cell that meets no face of the
+/// fringe is therefore the same in the diagram of the whole mesh. docs/developer/proofs.md has the proof.
 class LocalDual {
  public:
-  /// `removed`: cells whose generators go, also to be listed in `cells`. Mesh and diagram must outlive this. Cost:
-  /// O(n).
+  /// `removed` are the cells whose generators are removed; `cells` must contain them. Mesh and diagram must outlive
+  /// this. Cost: O(n).
   LocalDual(const Mesh& mesh, const Diagram& diagram, const std::vector<GeneratorId>& cells,
             const std::vector<GeneratorId>& removed, const DiagramOptions& options);
 

@@ -30,12 +30,12 @@ struct ProposedGenerators {
 /// | component_reached   | the component's first vertex                                                              |
 /// | cell_is_disc        | round a tip: two more points at the generator's distance from the tip (`TipRings`); else  |
 /// |                     | thirds of the cell's shortest non-contractible loop, else as for enough_neighbours        |
-/// | one_boundary_arc    | of each boundary arc of the cell the point nearest to the generator; of these the farthest |
+/// | one_boundary_arc    | on each boundary arc, the point nearest to the generator; the farthest of these points    |
 /// | bisector_has_face   | closed: its point farthest from the two generators; open: the farther of its two ends     |
 /// | one_bisector        | the midpoint of that bisector of the pair that is shortest relative to its distance       |
-/// | one_branch_point    | of the branch points of the same cells the one that is farthest from its generators       |
+/// | one_branch_point    | that one of the branch points of the same cells that is farthest from its generators      |
 /// | enough_neighbours   | the cell's farthest vertex, else the farthest point of its bisectors                      |
-/// | the others          | of the branch point and its bisectors the point farthest from all generators              |
+/// | the others          | the point of the branch point and its bisectors that is farthest from all generators      |
 ///
 /// A candidate that is too close to a generator along the surface (kMinAddedSpacing) is skipped for the next best one.
 /// One call repairs at most one defect of each cell, in the order of `defects`, because the repair often removes the
