@@ -159,8 +159,8 @@ class DiscMaker {
     return change;
   }
 
-  /// The end of a message: how the rounds went, and advice. Closer generators help, because a cell no longer than the
-  /// surface is thick is a disc.
+  /// The end of a message: how the rounds went, and advice. More generators help, because a cell that is no longer than
+  /// the surface is thick is a disc.
   std::string describe_limit(std::size_t left) const {
     const std::string added_so_far = fmt::format("{} added in {}", counted(added(), "generator was", "generators were"),
                                                  counted(result_.rounds, "round", "rounds"));
@@ -185,7 +185,7 @@ class DiscMaker {
   void search_fewer() {
     GeneratorSearch search;
     search.kept = given_;
-    search.least = given_ + 1;  // the given cells alone are no discs
+    search.least = given_ + 1;  // the given cells alone are not all discs
     search.most_events = std::int64_t(most_events_);
     search.diagram = options_.diagram;
     search.only = DualProperty::cell_is_disc;
@@ -206,11 +206,11 @@ class DiscMaker {
   const std::int64_t max_added_;
   const double most_events_;              // windows propagated in trials, and in the search
   double events_ = 0;                     // of trials
-  std::optional<DiscForecast> forecast_;  // once a cell is no disc
+  std::optional<DiscForecast> forecast_;  // set once a cell is not a disc
   /// Consecutive rounds that removed no defect. After each, another candidate comes first, which is taken if none is
   /// better: the point opposite a generator divides a straight limb, but creeps along a bent one.
   std::size_t vain_rounds_ = 0;
-  std::size_t first_ = 0;  // cells that are no discs, of the given generators
+  std::size_t first_ = 0;  // number of cells of the given generators that are not discs
   DiscCells result_;
 };
 

@@ -17,8 +17,8 @@ struct LabelInterval {
   GeneratorId cell;
 };
 
-/// The label intervals of a whole edge, from all faces of the edge, in no order. They are the sides of the cells' parts
-/// of these faces whose two ends have a 0 for the corner opposite the edge.
+/// The label intervals of a whole edge, from all faces of the edge, in no particular order. They are the sides of the
+/// cells' parts of these faces whose two ends have a 0 for the corner opposite the edge.
 ///
 /// The two faces of an inner edge agree, unless a bisector runs along it. Empty if no generator reaches the edge. Cost:
 /// O(log p) for p pieces of the diagram, and O(corners of the faces' parts).

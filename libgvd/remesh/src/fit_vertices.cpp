@@ -7,9 +7,9 @@
 //
 // Each sample of one surface and its closest point of the other give a plane; the square distance from it is a
 // quadratic function of the three corners of a face. The sums of a face are a block of 9 x 9, and the blocks and the
-// springs one sparse system over all vertices. Samples are taken in both directions, because otherwise parts of the
-// mesh could leave the surface unnoticed. The sums are formed in the order of the samples, for any number of threads.
-// docs/notes/remesh-placement.md has the measurements behind this method.
+// springs form one sparse system over all vertices. Samples are taken in both directions, because otherwise parts of
+// the mesh could leave the surface unnoticed. The sums are formed in the order of the samples, for any number of
+// threads. docs/notes/remesh-placement.md has the measurements behind this method.
 
 #include "fit_vertices.hpp"
 
@@ -64,7 +64,7 @@ constexpr double kAlongCreaseSpring = 0.03;
 /// Weight across creases and beside them, where the samples decide: triangles miss the crease unless vertices move.
 constexpr double kCreaseSpring = 0.001;
 
-/// Weight across the surface, where the samples alone decide, too; it keeps the system regular.
+/// Weight across the surface, where the samples alone decide as well. It keeps the system regular.
 constexpr double kNormalSpring = 0.001;
 
 /// Weight of the spring of a vertex that stays: a million times the samples of its cell, and far from the limits of the

@@ -62,8 +62,8 @@ struct AreaSample {
   double area = 0;  ///< square mesh units
 };
 
-/// Cuts each face into equal triangles, about `count` in all and at least one a face, and gives their centroids. Cost:
-/// O(n + count).
+/// Cuts each face into equal triangles, about `count` in all and at least one for each face, and returns their
+/// centroids. Cost: O(n + count).
 std::vector<AreaSample> sample_surface(const Mesh& mesh, double count);
 
 /// Reduces samples to at most `most`. Each of the result stands for consecutive samples with an equal share of the

@@ -20,7 +20,7 @@
 namespace gvd {
 namespace {
 
-/// The least gain of a flip, in units of 1 - Q. The vertices still move afterwards, which makes up for smaller gains.
+/// The least gain of a flip, in units of 1 - Q. Smaller gains are left to the moves of the vertices that follow.
 constexpr double kLeastGain = 0.02;
 
 /// A flip after which the triangles lose more than this of Q is dropped before its distances are computed.

@@ -9,7 +9,7 @@
 
 namespace gvd {
 
-/// The faces of a mesh with other vertex positions. Throws Error{precondition} where an edge has no length.
+/// The faces of a mesh with other vertex positions. Throws Error{precondition} if an edge has no length.
 Mesh with_positions(const Mesh& mesh, std::vector<Vec3> positions);
 
 /// Moves the vertices of a remesh as far as its triangles stay valid.

@@ -206,7 +206,7 @@ class AngleRaiser {
   const std::vector<Vec3> fitted_;  // the positions before the search
   PlacedFaces placed_;
   std::vector<std::vector<FaceId>> faces_of_;
-  std::vector<char> may_improve_;  // no for vertices whose search would find what it has found
+  std::vector<char> may_improve_;  // false for vertices whose search would find nothing new
   const double most_q_ = kQSlack * most_q(price_.angle);
 };
 

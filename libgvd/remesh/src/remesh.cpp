@@ -145,7 +145,7 @@ class Remesher {
     for (const SurfacePoint& point : generators) ++given_to_[component_of(point)];
   }
 
-  /// `first`: the diagram of the given generators. Returns Error{no_valid_result} where no proper mesh is found.
+  /// `first` is the diagram of the given generators. Returns Error{no_valid_result} if no proper mesh is found.
   OrError<RemeshResult> run(Diagram&& first) {
     result_.diagram = std::move(first);
     first_events_ = result_.diagram.report.propagation_events;
@@ -175,8 +175,8 @@ class Remesher {
     result_.flips = std::move(round.flips);
   }
 
-  /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators. Returns
-  /// true also where there is no way on: then there is a refusal.
+  /// One round of the diagram. Takes its mesh and returns true if nothing is left to do; else adds generators. It also
+  /// returns true, with a refusal, if no generators can be added.
   bool ends_with_round() {
     ++result_.rounds;
     enter(RemeshStage::dual);
@@ -541,7 +541,7 @@ class Remesher {
 
   const Mesh& mesh_;
   const RemeshOptions& options_;
-  std::vector<SurfacePoint> fixed_;  // also where an exchange has changed ids
+  std::vector<SurfacePoint> fixed_;  // as points, because an exchange changes ids
   std::vector<SurfacePoint> stays_;  // in a search: the fixed ones, and those added on creases
   std::int64_t max_added_;
   CreaseFollower creases_;

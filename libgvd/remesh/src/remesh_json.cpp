@@ -21,7 +21,7 @@ void print_place(io::ByteWriter& out, const SurfacePoint& point) {
   out.text("}");
 }
 
-/// The members of a map that are no lists.
+/// The members of a map that are not lists.
 void print_map_figures(io::ByteWriter& out, const RemeshMap& map) {
   const nlohmann::json obstacle = map.one_to_one ? nlohmann::json() : nlohmann::json(map.obstacle);
   out.print("\"schema\":\"gvd-remesh-map/1\",\"one_to_one\":{},\"obstacle\":{}", map.one_to_one, obstacle.dump());

@@ -20,9 +20,9 @@ struct RemeshRound {
   DualMesh dual;  ///< without decimated components
   Mesh mesh;      ///< none where the dual has defects; the faces of decimated components follow those of the dual
   std::vector<SurfacePoint> face_points;
-  std::vector<EdgeFlip> flips;          ///< of edges of the dual, that lead to the mesh
+  std::vector<EdgeFlip> flips;          ///< the flips of edges that turn the dual into the mesh
   std::vector<DualDefect> defects;      ///< of the dual
-  std::string obstacle;                 ///< why a dual without defects is no manifold mesh; usually empty
+  std::string obstacle;                 ///< why a dual without defects is not a manifold mesh; usually empty
   std::vector<FaceId> decimated_wrong;  ///< faces of decimated components that intersect others
 };
 

@@ -98,9 +98,9 @@ struct RemeshResult {
   std::int64_t max_added = 0;             ///< the largest number that might be added
   bool search_cut_short = false;          ///< the search for fewer generators ended at its limit
   std::vector<DualDefect> given_defects;  ///< of the dual of the given generators: why others were added
-  std::int64_t added_on_creases = 0;      ///< of these, those on creases, so that edges follow them
+  std::int64_t added_on_creases = 0;      ///< how many of the added ones are on creases
   double crease_length = 0;               ///< of the creases of the options, mesh units
-  double crease_gap_length = 0;           ///< of their parts that edges do not follow: other cells come between
+  double crease_gap_length = 0;           ///< of their parts that no edges follow, because other cells lie between
   bool creases_lack_added = false;        ///< only `max_added` kept generators from being added on those parts
   std::int32_t rounds = 0;                ///< number of diagrams, before a search for fewer
   std::vector<SurfacePoint> face_points;  ///< the branch point of every face; flipped faces keep theirs

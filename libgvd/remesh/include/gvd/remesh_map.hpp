@@ -48,7 +48,7 @@ struct RemeshMap {
 /// right one; (3) a boundary vertex goes to the boundary, and a boundary vertex of the remesh comes from there; (4) if
 /// a vertex of the remesh is at its generator, and the generator is at a vertex of the surface, then each of the two
 /// vertices is the point of the other; (5) deterministic, for any number of `threads` (0: one for each core).
-/// Throws Error{precondition} if `result` is no remesh of `surface`, Error{interrupted} if `progress` cancels.
+/// Throws Error{precondition} if `result` is not a remesh of `surface`, and Error{interrupted} if `progress` cancels.
 /// Cost: O(n log n), and a sparse system for each cell.
 RemeshMap map_to_remesh(const Mesh& surface, const RemeshResult& result, int threads = 0,
                         const Progress& progress = {});

@@ -26,8 +26,8 @@ struct SurfaceRemeshOptions {
   /// constrain_start. remesh_surface itself decides whether they leave room, and sets all of `copy` except its `faces`.
   RelaxationStartOptions start = default_start();
   std::optional<std::int32_t> relaxation;  ///< iterations, >= 0; kRemeshRelaxation for sampled ones, 0 for listed ones
-  /// Where the vertices are. If it is not set, sampled generators are fitted to the surface, and listed ones keep their
-  /// vertices.
+  /// Where the vertices are. If it is not set, the vertices of sampled generators are fitted to the surface, and the
+  /// vertices of listed ones stay at them.
   std::optional<Placement> placement;
   bool exact_count = false;  ///< as many vertices as generators, or Error{no_valid_result}
   /// remesh_surface sets its creases, its fixed and kept vertices, `may_decimate`, and what the members above say.

@@ -6,7 +6,7 @@
 // coincide. Both cells of a bisector compute the same numbers for it: the map fits together to the last bit. The disc
 // holds the faces of the surface, the fan the cell's part of the remesh. They have the same border, so a point goes
 // from the surface to the plane by its face, and from there to the remesh by its triangle of the fan. Shapes and
-// weights are tried in turn, from the best looking to the safest, until no triangle of either side is turned round. The
+// weights are tried in turn, from the best looking to the safest, until no triangle of either side is turned over. The
 // signs are certain, so a cell that passes is mapped one-to-one: docs/developer/proofs.md, section 7.
 
 #include "map/cell_map.hpp"
@@ -43,7 +43,7 @@ std::vector<double> lengths_along(const Mesh& mesh, const std::vector<VertexId>&
 
 namespace {
 
-/// Share of even spacing in the spacing of a path's vertices. It keeps vertices apart that nearly coincide.
+/// The weight of even spacing in the spacing of a path's vertices. It keeps nearly coincident vertices apart.
 constexpr double kEvenShare = 0.01;
 
 /// Numbers from 0 to 1 for the vertices of a path, ascending, by their distances.
@@ -55,7 +55,8 @@ std::vector<double> space(const Mesh& mesh, const std::vector<VertexId>& path, d
 
 using Path = std::vector<VertexId>;
 
-/// Bounds of a crossing on its edge, from 0 to 1. Near an end it would squeeze the triangles of one cell's fan.
+/// A bisector crosses its edge between this parameter and 1 minus it. Nearer to an end, the crossing would squeeze the
+/// triangles of one cell's fan.
 constexpr double kLeastCrossing = 0.1;
 
 /// The point where a bisector crosses the edge between the remesh's vertices of its cells.
@@ -86,7 +87,7 @@ BisectorCrossing find_crossing(const CellSurface& surface, const DualPolygons& p
 }
 
 /// Appends the targets of a half of a run, from or to the centre of a polygon. `at`: how far the vertices are from the
-/// centre. The bisector crosses the side behind the corner of `side`.
+/// centre. The bisector crosses the side that follows the corner of `side`.
 void add_half(const DualPolygon& polygon, std::pair<GeneratorId, GeneratorId> cell_and_side,
               const std::vector<double>& at, std::span<const HalfedgeId> halfedges,
               std::vector<BorderTarget>& targets) {
@@ -104,7 +105,7 @@ void add_half(const DualPolygon& polygon, std::pair<GeneratorId, GeneratorId> ce
 ///
 /// A run goes from the centre of a polygon to the centre of the next one. Between them it crosses the edge that joins
 /// the two cells' vertices. The vertices are spaced by their distances. Both cells have the same targets, to the last
-/// bit. Nothing if a run joins boundary and boundary. Cost: O(k) for k halfedges.
+/// bit. Nothing if both ends of a run are on the boundary. Cost: O(k) for k halfedges.
 std::optional<std::vector<BorderTarget>> collect_targets(const CellSurface& surface, const DualPolygons& polygons,
                                                          GeneratorId cell) {
   const Mesh& mesh = surface.cut.mesh;
@@ -129,8 +130,8 @@ std::optional<std::vector<BorderTarget>> collect_targets(const CellSurface& surf
   return targets;
 }
 
-/// Share of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight side.
-/// Without it, triangles of three of them could have no area within rounding.
+/// The weight of even spacing in the angles between vertices on a circle, and in the spacing of vertices on a straight
+/// side. Without it, rounding could leave the triangle of three of them without area.
 constexpr double kEvenSector = 0.1;
 
 /// Bounds of the angle of a sector. A straight angle would let edges between its two sides fall onto them.

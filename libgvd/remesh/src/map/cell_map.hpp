@@ -30,8 +30,8 @@ void place_crossings(const CellSurface& surface, DualPolygons& polygons);
 /// Both have the same border, vertex by vertex, so that a point can go from one to the other.
 struct PlaneCell {
   PlaneDisc disc;
-  VertexId vertex;                    ///< of the remesh: where the fan's apex goes
-  SurfacePoint origin;                ///< of the surface: what goes to that vertex
+  VertexId vertex;                    ///< the vertex of the remesh to which the fan's apex goes
+  SurfacePoint origin;                ///< the point of the surface that goes to that vertex
   Vec2 apex = Vec2::Zero();           ///< of the fan: inside, or on the border of a cell at the boundary
   std::vector<BorderTarget> targets;  ///< the bases of the fan's triangles, and where they go
   std::vector<Vec2> bases;            ///< their ends in the plane, one more than targets
@@ -51,8 +51,8 @@ struct CellMapInput {
 ///
 /// A cell inside the surface becomes a disc of many corners, in which the generator is the fan's apex. A cell at the
 /// boundary becomes a sector of a disc. The two straight sides of the sector are the run along the boundary, and its
-/// corner is the anchor. Returns Error{no_valid_result} where the check fails, or a run joins boundary and boundary.
-/// Cost: a sparse system of the cell's vertices, or up to three.
+/// corner is the anchor. Returns Error{no_valid_result} if the check fails, or if both ends of a run are on the
+/// boundary. Cost: a sparse system of the cell's vertices, or up to three.
 OrError<PlaneCell> flatten_cell(const CellMapInput& input, GeneratorId cell, const std::vector<FaceId>& faces);
 
 /// The point of these faces that is nearest to a point in space. Faces that are turned away from `normal` count only if

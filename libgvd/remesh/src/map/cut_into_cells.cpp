@@ -237,7 +237,7 @@ class CellCutter {
     return nearest.value;
   }
 
-  /// The ends of the run belong to other cells, too: they can't be anchors.
+  /// The ends of the run belong to other cells as well, so they can't be anchors.
   void split_at_anchors() {
     for (const GeneratorId g : cells_.borders.ids()) {
       const CellBorder& border = cells_.borders[g];

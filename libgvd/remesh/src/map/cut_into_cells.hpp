@@ -12,7 +12,7 @@ namespace gvd {
 /// Consecutive halfedges of a cell's border, along one other cell or along the mesh's boundary.
 struct BorderRun {
   GeneratorId other;           ///< invalid along the mesh's boundary
-  std::size_t begin = 0, end;  ///< into the loop; end is not included
+  std::size_t begin = 0, end;  ///< indices of the loop; `end` is not included
 };
 
 /// The border of a cell that is a disc.
@@ -38,8 +38,8 @@ OrError<IdVector<GeneratorId, CellBorder>> trace_cell_borders(const Mesh& mesh,
 ///
 /// Properties: (1) every cell is a disc, and the surface's vertices come first, in their order; (2) between two branch
 /// points, a run along another cell has an inner vertex; (3) the border of a cell at the boundary has an anchor inside
-/// its run along the boundary: the generator, or the nearest point; (4) inside a cell no edge joins two vertices of
-/// that run on the same side of the anchor, itself included.
+/// its run along the boundary: the generator, or the point of the run that is nearest to it; (4) inside a cell, no edge
+/// joins two vertices of that run that are on the same side of the anchor, or one of them and the anchor.
 struct CellSurface {
   CutMesh cut;
   IdVector<GeneratorId, CellBorder> borders;

@@ -35,7 +35,7 @@ struct DualPolygon {
   Vec2 crossing(std::size_t i) const { return corner(i) + crossings[i] * (corner(i + 1) - corner(i)); }
   /// The number of a cell; cells.size() if it is none of them.
   std::size_t find(GeneratorId cell) const { return std::find(cells.begin(), cells.end(), cell) - cells.begin(); }
-  /// The point of the remesh that the map takes to `point`, which is in the polygon but for rounding.
+  /// The point of the remesh that the map takes to `point`, which is in the polygon up to rounding.
   SurfacePoint on_remesh(const Vec2& point) const;
 };
 
@@ -48,7 +48,7 @@ class DualPolygons {
   static OrError<DualPolygons> try_to_build(const Mesh& cut, const IdVector<FaceId, GeneratorId>& label,
                                             const Mesh& remesh);
 
-  /// Null where fewer than three cells meet.
+  /// The polygon of a vertex; null if fewer than three cells meet there.
   const DualPolygon* at(VertexId v) const { return number_[v] < 0 ? nullptr : &polygons_[number_[v]]; }
 
   /// Sets where the bisector between two cells crosses the remesh's edge, if it begins or ends at v. The polygon's side

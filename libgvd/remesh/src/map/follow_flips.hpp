@@ -14,7 +14,8 @@ namespace gvd {
 /// affine on the four triangles into which the two diagonals cut it. So a point on no flipped face stays.
 class FlipFollower {
  public:
-  /// `before`: of undo_flips; `after`: of apply_flips. All must outlive this. Cost: O(n).
+  /// `before` has the faces of undo_flips, and `after` those of apply_flips. All arguments must outlive this. Cost:
+  /// O(n).
   FlipFollower(const Mesh& before, const Mesh& after, const std::vector<EdgeFlip>& flips);
 
   /// The point of `after` for one of `before`. Cost: O(1) for each flip of its faces.

@@ -27,13 +27,14 @@ namespace {
 /// The number of faces of a chunk of cells. Their systems take milliseconds.
 constexpr std::size_t kMapFacesPerChunk = 2048;
 
-/// Where a cell takes vertices of the surface, and what it takes to its own vertex of the remesh.
+/// The points to which a cell takes its vertices of the surface, and the point that it takes to its vertex of the
+/// remesh.
 struct CellImages {
   SurfacePoint origin;
   std::vector<std::pair<VertexId, SurfacePoint>> points;
 };
 
-/// Vertices between two cells are on both borders; there, they have the same point.
+/// A vertex between two cells is on the borders of both, which give it the same point.
 CellImages list_images(const CellMapInput& input, const PlaneCell& plane) {
   const auto is_of_surface = [&](VertexId v) { return v.value() < input.surface.vertex_count(); };
   CellImages images{plane.origin, {}};

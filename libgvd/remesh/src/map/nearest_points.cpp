@@ -15,7 +15,7 @@
 namespace gvd {
 namespace {
 
-/// The number of vertices of a chunk. Each takes some tens of closest points.
+/// The number of vertices of a chunk. Each vertex takes some tens of searches for a closest point on a triangle.
 constexpr std::size_t kVerticesPerChunk = 512;
 
 /// The triangles at a vertex and its neighbours, ascending, and their boundary halfedges.
