@@ -15,9 +15,9 @@ namespace gvd {
 /// The pairs of faces that have a common point outside of the vertex or edge that they share, ascending.
 ///
 /// Faces that only touch intersect, too. Properties: (1) exact, unless products of three coordinates underflow; (2)
-/// empty exactly where the mesh is embedded, if no face is degenerate; (3) independent of `threads` (0: one a core).
-/// Throws Error{interrupted} if `progress` cancels. Cost: O(n log n) if the box of a face overlaps a bounded number of
-/// others.
+/// empty if and only if the mesh is embedded, provided that no face is degenerate; (3) the result does not depend on
+/// `threads` (0: one for each core). Throws Error{interrupted} if `progress` cancels. Cost: O(n log n) if the box of a
+/// face overlaps a bounded number of others.
 std::vector<FacePair> find_self_intersections(const Mesh& mesh, int threads = 0, const Progress& progress = {});
 
 /// The same for a mesh whose vertices have moved. A pair is looked for if `counts` is set for one of its faces; if

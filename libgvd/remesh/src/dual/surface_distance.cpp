@@ -40,18 +40,19 @@ void check_faces(const Mesh& from, const Mesh& to) {
 /// The least number of triangles that the faces are cut into, unless the meshes are small. On ten remeshes of real
 /// meshes, the RMS distance differs by at most 1 % from that of 2^18 triangles.
 constexpr double kLeastTriangles = 1 << 15;
-/// Number of triangles for each face of the two that is enough for small meshes.
+/// For small meshes, this many triangles for each face of the two meshes are enough.
 constexpr double kTrianglesPerFace = 8;
-/// Elements whose closest points one thread finds at a time, each near that of the one before.
+/// The number of elements in a chunk. Within a chunk, each search for a closest point begins at the one found before.
 constexpr std::size_t kFacesPerChunk = 128;
 /// With more pieces than this, a round cuts those with the largest bounds: half of all, or as many as this.
 constexpr std::size_t kLeastCutsInRound = 1 << 18;
-/// The search for the largest distance ends after so many pieces that were cut, with the bound known then: the first
-/// number, and one for each face. A cut takes 2 to 6 microseconds.
+/// The search for the largest distance ends, with the bound known then, once it has cut as many pieces as the first
+/// number plus the second one for each face of `from`. A cut takes 2 to 6 microseconds.
 constexpr std::size_t kLeastMaxCuts = 1 << 20, kMaxCutsPerFace = 4;
 
-/// The most faces round a vertex that are looked at for a bound. With more, as where an n-gon is a fan, each piece near
-/// the vertex would cost as much as the fan has faces; smaller pieces meet fewer of them.
+/// The largest number of faces round a vertex that are considered for a bound. In a larger fan, such as a triangulated
+/// n-gon, each piece near the vertex would cost as much as the fan has faces, while smaller pieces meet only few of
+/// them.
 constexpr int kMostFanFaces = 64;
 
 /// A point of the surface and the closest point of the other one.
@@ -72,8 +73,8 @@ double rounding_of(const Mesh& mesh) {
 
 constexpr StepPart kOfVertices{"distance", 0, 0.3}, kOfFaces{"distance", 0.3, 0.6};
 
-/// The closest points of the vertices. Each search starts from the face nearest to the vertex before. `enough` is that
-/// of `nearest_face`.
+/// The closest points of the vertices. Each search starts from the face nearest to the vertex before. `enough` is
+/// passed to `nearest_face`.
 std::vector<Sample> sample_vertices(const Mesh& from, const ClosestPointTree& tree, double enough,
                                     const ParallelChunks& parallel) {
   return parallel.collect(cut_into_chunks(from.vertex_count(), kFacesPerChunk), kOfVertices, [&](const Chunk& chunk) {
@@ -100,7 +101,7 @@ struct Piece {
 };
 
 /// The longest side of a triangle, from corner `start` to the next one, and the height above it; mesh units. No point
-/// of the triangle is farther from the side than the height, as the angles at its ends are the smaller ones.
+/// of the triangle is farther from the side than the height, because the two angles at the side are acute.
 struct LongestSide {
   std::size_t start;
   double length, height;
@@ -122,7 +123,7 @@ class FlatSector {
   FlatSector(const Mesh& mesh, HalfedgeId h)
       : mesh_(mesh), first_(h), at_(mesh.position(mesh.from(h))), normal_(face_normal(mesh, Mesh::face(h))) {}
 
-  /// Adds the face of h, the next one counter-clockwise. False where it is turned over.
+  /// Adds the face of h, the next one counter-clockwise. False if it is turned over.
   bool add(HalfedgeId h) {
     const Vec3 from = mesh_.position(mesh_.to(h)) - at_, to = mesh_.position(mesh_.opposite(h)) - at_;
     const auto flat = [&](const Vec3& v) -> Vec3 { return v - v.dot(normal_) * normal_; };
@@ -135,7 +136,7 @@ class FlatSector {
     return turn > 0;
   }
 
-  /// Whether the sector is convex. A closed one has been round the vertex once.
+  /// Whether the sector is convex. A closed sector goes round the vertex once.
   bool is_convex() const { return angle_ <= std::numbers::pi || (is_closed_ && angle_ < 3 * std::numbers::pi); }
 
   /// A bound on the distance of the faces from points in the convex hull of points on them that are no farther from the
@@ -318,7 +319,8 @@ class DistanceMeasure {
   }
 
  private:
-  /// Walks over faces as long as they become nearer: across a fan of needles, whose boxes tell nothing.
+  /// Walks from face to face as long as they get nearer. This crosses fans of needles, where the boxes of the tree are
+  /// of no use.
   FaceId walk(const Vec3& at, FaceId from) const {
     NearestFace best{from, tree_.distance(at, from)};
     for (FaceId last; last != best.face && best.distance > rounding_;) {
@@ -349,7 +351,7 @@ class DistanceMeasure {
     }));
   }
 
-  /// Cuts pieces until none may hold a farther point, or there were too many. Returns the bound.
+  /// Cuts pieces until none may contain a farther point, or until too many have been cut. Returns the bound.
   double search(std::vector<Piece> pieces) {
     const std::size_t max_cuts = kLeastMaxCuts + kMaxCutsPerFace * std::size_t(from_.face_count());
     for (std::size_t cuts = 0; !pieces.empty() && cuts < max_cuts;) {
