@@ -85,8 +85,8 @@ void cut_loop(const Mesh& mesh, HalfedgeId first, const BoundaryEnds& ends, Gene
   }
 }
 
-/// Largest distance of the generator from the loop, as a fraction of a part of the loop, at which one new generator
-/// less than parts is enough. Farther away, the generator's own cell may not cover its part of the loop.
+/// If the generator is at most this far from the loop, as a fraction of a part of the loop, it serves one of the parts
+/// itself. Farther away, the generator's own cell may not cover its part of the loop.
 constexpr double kFarFromLoop = 1.0 / 2;
 
 /// The links of each face.
@@ -211,7 +211,7 @@ std::vector<std::vector<SurfacePoint>> CellLoops::borders(GeneratorId cell) cons
     for (HalfedgeId h = *left.begin(); left.erase(h) > 0;) {
       const FaceId parent = cut_.parent[Mesh::face(h)];
       border.push_back(closest_point_on_face(mesh_, parent, cut_.mesh.position(cut_.mesh.from(h))).point);
-      // The next one begins where this one ends, beyond the faces of the cell round that corner.
+      // The next halfedge begins where this one ends, beyond the faces of the cell round that corner.
       h = Mesh::next(h);
       while (is_inside(cut_.mesh.twin(h))) h = Mesh::next(cut_.mesh.twin(h));
     }

@@ -161,14 +161,14 @@ struct NarrowTip {
 /// Finds generators that divide a cell round a tip.
 ///
 /// On a cone of total angle a, let b < a / 2 be the angle between two generators. The one at distance r from the tip
-/// shuts the other one out if that is farther from the tip than r / cos(b). Points on the shortest loop round the tip
-/// lie just that far, because the loop is a straight line. So each generator there shuts the others out, and repairs
-/// would go on forever, each at half the distance of the one before. Three points at the same distance r, at angles of
-/// a / 3, do not shut each other out.
+/// shuts the other one out if the other one is farther from the tip than r / cos(b). Points on the shortest loop round
+/// the tip lie just that far, because the loop is a straight line. So each generator there shuts the others out, and
+/// repairs would go on forever, each at half the distance of the one before. Three points at the same distance r, at
+/// angles of a / 3, do not shut each other out.
 class TipRings {
  public:
-  /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each of the m cells that is an annulus,
-  /// and an exact field if one of them surrounds a tip.
+  /// The mesh and the diagram must outlive the rings. Cost: O(n), and O(m) for each of the m cells that are annuli, and
+  /// an exact field if one of them surrounds a tip.
   TipRings(const Mesh& mesh, const Diagram& diagram);
 
   /// Two points as far from the surrounded tip as the cell's generator is. The three divide the tip's total angle in

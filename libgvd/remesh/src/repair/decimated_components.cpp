@@ -22,8 +22,8 @@
 namespace gvd {
 namespace {
 
-/// The number of vertices that a face gets back at first if it meets others; then twice as many each time. After
-/// kMostRefinements, the component gets all of them back.
+/// The number of vertices that a face gets back when it first meets others. Each further time it gets twice as many.
+/// After kMostRefinements, the component gets all of them back.
 constexpr std::size_t kFirstKept = 2;
 constexpr int kMostRefinements = 12;
 

@@ -70,7 +70,8 @@ void DiscForecast::add(GeneratorId cell, int euler) {
   }
 }
 
-/// A vertex, edge or face that has had the label of a cell may have another one.
+/// Moves a vertex, an edge or a face, which counts `sign` in an Euler characteristic, from the cell of its label to the
+/// cell of the label that it would have.
 void DiscForecast::replace(const std::vector<VertexId>& corners, int sign) {
   add(common_label(corners, [&](VertexId v) { return diagram_->vertex_label[v]; }), -sign);
   add(common_label(corners, [&](VertexId v) { return label_after(v); }), sign);
@@ -102,7 +103,8 @@ DiscForecast::Outcome DiscForecast::find(const SurfacePoint& point, GeneratorId 
   return outcome;
 }
 
-/// A vertex that changes its cell, and the edges and faces round it that were not replaced with another one.
+/// Replaces a vertex that would change its cell, and the edges and faces round it, unless another vertex of theirs has
+/// replaced them already.
 void DiscForecast::replace_around(VertexId v) {
   replace({v}, 1);
   for_each_neighbour(mesh_, v, [&](VertexId w, HalfedgeId) {

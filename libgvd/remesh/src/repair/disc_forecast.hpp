@@ -18,8 +18,8 @@ int count_disc_defects(const Cell& cell);
 ///
 /// A march from the point finds the vertices that would be nearest to it. A cell stands for its vertices, and the edges
 /// and faces between them. If the mesh is fine enough, these have the cell's Euler characteristic; a cell for which it
-/// is too coarse does not count. A forecast takes time in proportion to the point's own cell. A diagram of a part takes
-/// that of two rings of cells, which are the whole mesh if there are few.
+/// is too coarse does not count. A forecast takes time in proportion to the new cell. The diagram of a part takes time
+/// in proportion to two rings of cells, which are the whole mesh if there are few cells.
 class DiscForecast {
  public:
   /// The mesh must outlive this. Cost: O(n); memory: about 150 bytes a face.
@@ -36,7 +36,7 @@ class DiscForecast {
     int defects = 0;  ///< `count_disc_defects` of all cells: below 0 for fewer
     /// The change in the sum of their squares: below 0 if a cell with several is divided into cells with one each.
     int squares = 0;
-    int imbalance = 0;  ///< vertices that the cell has more than the new one, or fewer
+    int imbalance = 0;  ///< difference in the numbers of vertices of the cell and the new one
     auto operator<=>(const Outcome&) const = default;
   };
   static constexpr Outcome kWorst{std::numeric_limits<int>::max(), 0, 0};

@@ -169,7 +169,7 @@ std::optional<LocalDual::Result> LocalChanges::compute(const LocalDual& local, c
   if (result && search_.only) {
     std::erase_if(result->defects, [&](const DualDefect& defect) { return defect.property != *search_.only; });
   }
-  // A part that can't tell has its share of the whole diagram's.
+  // If the part can't tell, its work is estimated by its share of the mesh's faces.
   const auto share = double(local.part().whole_face.size()) / double(mesh_.face_count());
   events_ += result ? result->diagram.report.propagation_events
                     : std::int64_t(share * double(diagram_.report.propagation_events));
@@ -244,7 +244,7 @@ bool LocalChanges::accept(const std::vector<SurfacePoint>& before, const std::ve
     generators.insert(generators.end(), collected_[i].added.begin(), collected_[i].added.end());
   }
   const bool is_right = search_.accept(generators);
-  // The events of a diagram with about as many generators, where it is not right.
+  // If the dual is not right, diagram_ is the one before, which has about as many generators and events.
   events_ += kWorkOfDecision * diagram_.report.propagation_events;
   return is_right;
 }

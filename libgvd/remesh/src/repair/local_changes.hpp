@@ -18,10 +18,10 @@ namespace gvd {
 /// Changes that leave a dual right with fewer generators: one is left out, or one takes the place of two.
 ///
 /// Each change is tried on a part of the mesh. Those that pass and are apart from each other are collected. `apply`
-/// then decides on the whole mesh: on all of them at once, and where they fail together, on smaller groups.
+/// then decides on the whole mesh: on all of them at once and, if they fail together, on smaller groups.
 class LocalChanges {
  public:
-  /// `diagram`: without defects. All must outlive this. Cost: O(n).
+  /// The dual of `diagram` must have no defects. All arguments must outlive this. Cost: O(n).
   LocalChanges(const Mesh& mesh, const Diagram& diagram, const GeneratorSearch& search)
       : mesh_(mesh), diagram_(diagram), search_(search), tried_(diagram.generators.size(), 0), near_change_(tried_) {}
 

@@ -71,7 +71,7 @@ LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, const std::vector
 LocalDual::LocalDual(const Mesh& mesh, const Diagram& diagram, CellFlags stays, const std::vector<GeneratorId>& removed,
                      const DiagramOptions& options)
     : diagram_(diagram), part_(cut_out_cells(mesh, diagram, stays)), options_(options) {
-  // The tolerance is in mean edge lengths: the same length in the part as in the whole mesh.
+  // The tolerance is a multiple of the mean edge length; it must be the same length in the part as in the whole mesh.
   options_.chord_tolerance =
       std::max(kLeastChordTolerance, options.chord_tolerance * mesh.mean_edge_length() / part_.mesh.mean_edge_length());
   for (const GeneratorId g : removed) stays[g] = 0;

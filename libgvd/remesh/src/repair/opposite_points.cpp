@@ -6,15 +6,15 @@
 // has all of P in its cell rather than in that of g: if x between a and p were nearer to g than to p, then so would be
 // a, since d(a, g) <= d(a, x) + d(x, g) < d(a, x) + d(x, p) <= s. The new cell of g lies in the old one without P. For
 // an annulus that is a disc; and the new cell of g has no hole, because that of p is connected and reaches the border.
-// Such an s exists where D < d(a, g) + d(b, g): where no shortest path from a to b leads over g.
+// Such an s exists if D < d(a, g) + d(b, g), that is, if no shortest path from a to b passes through g.
 //
 // The cell of p is a disc, too, unless p shuts g out in turn. On a tube of half girth l, at r_a and r_b from its ends,
-// p may be l^2 / 2r farther along than g, which is little on a long one: edges are no measure for it, but lengths of
-// shortest paths are. (s - d(a, g)) d(a, g) = (D - s - d(b, g)) d(b, g) puts p as far along a tube as g, within terms
-// of the fourth order in l, and satisfies both conditions on any surface.
+// p may be l^2 / 2r farther along than g, which is little on a long tube. It can be much less than an edge, so p is
+// placed by the lengths of shortest paths: (s - d(a, g)) d(a, g) = (D - s - d(b, g)) d(b, g) puts p as far along a tube
+// as g, within terms of the fourth order in l, and satisfies both conditions on any surface.
 //
-// P is sought in the faces that meet the cell. Where it leaves the cell, as may happen in one with handles, nothing is
-// proved: whoever takes the point has to try it.
+// P is sought in the faces that meet the cell. It may leave a cell that has handles, and then nothing is proved, so the
+// caller has to try the point.
 //
 // The best point of a border is the one behind the generator, where the direction in which shortest paths leave the
 // generator jumps most, from one way around to the other.

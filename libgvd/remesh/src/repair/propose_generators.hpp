@@ -53,14 +53,14 @@ class DefectRepair;  // propose_generators.cpp
 /// loop, then vertices, the farthest from the generator first. Points that are too close are left out, as above.
 class DiscCandidates {
  public:
-  /// `count`: the most points of a cell. Mesh and diagram must outlive this. Cost: O(n).
+  /// `count` limits the number of points of a cell. Mesh and diagram must outlive this. Cost: O(n).
   DiscCandidates(const Mesh& mesh, const Diagram& diagram, std::size_t count);
   DiscCandidates(const DiscCandidates&) = delete;
   DiscCandidates& operator=(const DiscCandidates&) = delete;
   ~DiscCandidates();
 
-  /// The points of a cell that is no disc. Cost: O(n), cutting the mesh once, and two exact fields on the cell's faces
-  /// for each opposite point.
+  /// The points of a cell that is not a disc. Cost: O(n), cutting the mesh once, and two exact fields on the cell's
+  /// faces for each opposite point.
   std::vector<SurfacePoint> list(GeneratorId cell);
 
  private:

@@ -1,9 +1,9 @@
 // Generators that divide a cell round a tip, as three at one distance from it.
 //
-// Where one generator's cell surrounds a tip, a vertex with a total angle below pi, the cell is an annulus. Two more
-// generators on the circle through it round the tip make three cells of it. They are the ends of straight lines from
-// the tip; an exact field of distances from the tips checks that these are shortest paths. At a very sharp tip the
-// circle is too short for three generators: such a tip is reported as narrow.
+// If the cell of one generator surrounds a tip, which is a vertex with a total angle below pi, the cell is an annulus.
+// Two more generators on the circle through it round the tip make three cells of it. They are the ends of straight
+// lines from the tip; an exact field of distances from the tips checks that these are shortest paths. At a very sharp
+// tip the circle is too short for three generators: such a tip is reported as narrow.
 
 #include <algorithm>
 #include <cmath>
