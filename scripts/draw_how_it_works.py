@@ -80,18 +80,12 @@ def draw_unfolding(file):
             picture.path([top, low[i + 1], high[i + 1]], GREY, 1.2, "#eef2f5", close=True)
     source, target = (0.75, 0.85), (4.75, 1.15)
     picture.path([source, target], BLUE, 2.5)
-    for i in range(len(high)):
-        for a, b in ((low[i + 1], high[i]), (high[i], low[i + 1])):
-            crossing = meet(source, target, a, b)
-            if source[0] < crossing[0] < target[0]:
-                picture.dot(crossing, GREY, 3)
-        if i + 1 < len(high):
-            crossing = meet(source, target, low[i + 1], high[i + 1])
-            if source[0] < crossing[0] < target[0]:
-                picture.dot(crossing, GREY, 3)
+    inner = [(low[i + 1], top) for i in range(len(high)) for top in high[i:i + 2]]
+    for bottom, top in inner[:-1]:  # the last one is the border of the strip
+        picture.dot(meet(source, target, bottom, top), GREY, 3)
     picture.dot(source, BLUE)
     picture.dot(target, INK)
-    picture.text((0.98, 0.6), "generator", BLUE)
+    picture.text((0.84, 0.6), "generator", BLUE)
     picture.text((4.75, 0.85), "point")
     picture.write(file)
 
@@ -113,7 +107,7 @@ def draw_windows(file):
     picture.path([ends[0], c], ORANGE, 5)
     picture.path([ends[1], c], ORANGE, 5)
     picture.dot(source, BLUE)
-    picture.text((0.55, 1.7), "source, unfolded", BLUE, "start")
+    picture.text((0.12, 2.1), "source, unfolded", BLUE, "start")
     picture.text((2.12, 1.15), "window", BLUE, "end")
     picture.text((4.45, 2.3), "the windows", ORANGE, "start")
     picture.text((4.45, 2.12), "behind it", ORANGE, "start")
