@@ -38,7 +38,6 @@ RUNS_COUNT  ?= 20
 
 help:
 	@echo "make demo      build, run the commands on a mesh of data/, name the files they wrote"
-	@echo "make playground  the same, and put the page into docs/playground.html, as for a release"
 	@echo "make site      build the documents as a site in BUILD/site, and run their examples"
 	@echo "make pictures  make the pictures of the documents again, with headless Chromium"
 	@echo "make figures   measure the figures of the documents again, and write them"
@@ -50,6 +49,7 @@ help:
 	@echo "make build     build the library and the commands"
 	@echo "make python    build the Python package in BUILD/python; 'pip install .' installs it"
 	@echo "make web       build the page that computes and the npm package in BUILD/web, with emscripten"
+	@echo "make playground  make web, and put its page into docs/playground.html, as for a release"
 	@echo "make count     count instructions of the commands, compared with bench/instructions.tsv: COUNT_FLAGS"
 	@echo "make performance  measure the tables of docs/developer/performance.md again, and write them"
 	@echo "make bench     time the steps of a diagram against a plain Dijkstra"

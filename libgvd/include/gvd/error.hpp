@@ -47,7 +47,7 @@ class Error : public std::runtime_error {
   std::int64_t element_;
 };
 
-/// A value, or why there is none: what a function returns whose caller goes on in another way without the value.
+/// A value, or the error that says why there is none. A function returns it if its caller can go on without the value.
 template <class T>
 using OrError = std::variant<T, Error>;
 

@@ -277,7 +277,7 @@ std::optional<std::int32_t> find_exact_count(const Mesh& mesh, const SurfaceReme
 }
 
 /// Throws where no number of generators gives a mesh.
-void check(const Mesh& mesh, const SurfaceRemeshOptions& options) {
+void check_remeshable(const Mesh& mesh, const SurfaceRemeshOptions& options) {
   if (options.iterations() < 0) {
     throw Error(ErrorCode::invalid_option, "the number of iterations must not be negative", options.iterations());
   }
@@ -355,7 +355,7 @@ RelaxationStartOptions SurfaceRemeshOptions::default_start() {
 }
 
 SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& options) {
-  check(mesh, options);
+  check_remeshable(mesh, options);
   Attempt best = attempt_both(mesh, options);
   if (!best.made) refuse(mesh, options, best);
   return std::move(*best.made);
@@ -363,7 +363,7 @@ SurfaceRemesh remesh_surface(const Mesh& mesh, const SurfaceRemeshOptions& optio
 
 Fewest find_remesh_count(const Mesh& mesh, const SurfaceRemeshOptions& options, double distance,
                          const std::function<void(const CountTrial&)>& on_trial) {
-  check(mesh, options);
+  check_remeshable(mesh, options);
   return CountSearch(mesh, options, distance).run(on_trial);
 }
 

@@ -147,8 +147,8 @@ void WorkingMesh::claim(VertexId v, PointId point) {
   claim_for(v, owner_.empty() ? GeneratorId(point.value()) : owner_[point]);
 }
 
-/// Gives vertex v to generator g. A vertex of another generator stays with it, and the two coincide; points of one
-/// curve may do so.
+/// Gives vertex v to generator g. A vertex that belongs to another generator stays with that one, and the two are noted
+/// as coincident; points of one curve may coincide.
 void WorkingMesh::claim_for(VertexId v, GeneratorId g) {
   if (v.index() >= vertex_generator_.size()) vertex_generator_.resize(v.index() + 1);
   GeneratorId& known = vertex_generator_[v];

@@ -61,7 +61,7 @@ OrError<std::vector<CellImages>> map_cells(const CellMapInput& input, int thread
   const ParallelChunks parallel(threads, progress);
   const auto chunks =
       cut_by_work(faces.size(), kMapFacesPerChunk, [&](std::size_t i) { return faces.raw()[i].size(); });
-  const auto mapped = parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
+  auto mapped = parallel.collect(chunks, {"map"}, [&](const Chunk& chunk) {
     std::vector<OrError<CellImages>> found;
     for (std::size_t i = chunk.begin; i < chunk.end; ++i) {
       auto plane = flatten_cell(input, GeneratorId(i), faces[GeneratorId(i)]);
@@ -74,9 +74,9 @@ OrError<std::vector<CellImages>> map_cells(const CellMapInput& input, int thread
     return found;
   });
   std::vector<CellImages> images;
-  for (const OrError<CellImages>& cell : mapped) {
-    if (const Error* const error = std::get_if<Error>(&cell)) return *error;
-    images.push_back(std::get<CellImages>(cell));
+  for (OrError<CellImages>& cell : mapped) {
+    if (Error* const error = std::get_if<Error>(&cell)) return std::move(*error);
+    images.push_back(std::get<CellImages>(std::move(cell)));
   }
   return images;
 }
