@@ -359,7 +359,7 @@ class Remesher {
   /// Gives up the dual of the components with these defects: their own triangles, decimated, take its place.
   void decimate(const std::vector<DualDefect>& defects, DecimationCause cause) {
     if (!decimated_) {
-      decimated_.emplace(mesh_);
+      decimated_.emplace(mesh_, even_spacing(compute_area(mesh_), given_count()));
       result_.decimated.reason = defects.front().message;
     }
     std::map<std::int32_t, std::int64_t> vertices_of;

@@ -8,16 +8,22 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "dual/dual_defects.hpp"
+#include "dual/flipped_triangles.hpp"
 #include "dual/inherited_intersections.hpp"
+#include "dual/placed_faces.hpp"
 #include "dual/self_intersections.hpp"
 #include "gvd/error.hpp"
 #include "gvd/placement.hpp"
+#include "mesh/submesh.hpp"
 #include "move_guard.hpp"
+#include "part_distance.hpp"
+#include "repair/cell_topology.hpp"
 #include "repair/fewer_generators.hpp"
 
 namespace gvd {
@@ -53,10 +59,10 @@ void RoundMaker::place(const Diagram& diagram, RemeshRound& round) {
   options.threads = options_.diagram.threads;
   options.progress = options_.diagram.progress;
   options.fixed = find_in_order(fixed_, diagram.generators);
-  if (decimated_) add_decimated(diagram, options.fixed);
+  if (decimated_) hold_folded(diagram, round, options.fixed);
   if (options.method != Placement::generator && options.fixed.size() < diagram.generators.size()) {
     options.on_curves = list_on_curves(diagram);
-    PlacedRemesh placed = place_vertices(mesh_, diagram, round.mesh, round.face_points, options);
+    PlacedRemesh placed = place_freely(diagram, round, options);
     round.mesh = Mesh(std::move(placed.positions), apply_flips(round.mesh.face_vertices(), placed.flips));
     round.flips = std::move(placed.flips);
   }
@@ -115,10 +121,59 @@ void RoundMaker::leave_out_decimated(const Diagram& diagram, RemeshRound& round)
   round.dual = std::move(left);
 }
 
-void RoundMaker::add_decimated(const Diagram& diagram, std::vector<GeneratorId>& fixed) const {
-  for (std::size_t g = 0; g < diagram.generators.size(); ++g) {
-    if (decimated_->has(diagram.generators[g])) fixed.emplace_back(g);
+void RoundMaker::hold_folded(const Diagram& diagram, const RemeshRound& round, std::vector<GeneratorId>& fixed) const {
+  const Mesh& mesh = round.mesh;
+  std::vector<FaceId> folded;
+  const auto normals = normals_at_faces(mesh_, mesh, diagram.generators, round.face_points);
+  for (const FaceId f : mesh.faces()) {
+    if (is_flipped(PlacedFaces(mesh).corners(f), normals[f.index()])) folded.push_back(f);
   }
+  for (const FacePair& pair : find_self_intersections(mesh, options_.diagram.threads, options_.diagram.progress)) {
+    folded.insert(folded.end(), {pair.first, pair.second});
+  }
+  for (const FaceId f : folded) {
+    if (f.index() < round.dual.faces.size()) continue;
+    for (const VertexId v : mesh.vertices(f)) fixed.emplace_back(v.value());
+  }
+  for (std::size_t g = 0; g < diagram.generators.size(); ++g) {
+    if (!decimated_->has(diagram.generators[g])) continue;
+    const VertexId v = vertex(mesh_, diagram.generators[g]);
+    if (!mesh_.is_boundary(v) && total_angle(mesh_, v) < kTipAngle) fixed.emplace_back(g);
+  }
+}
+
+PlacedRemesh RoundMaker::place_freely(const Diagram& diagram, const RemeshRound& round,
+                                      PlacementOptions options) const {
+  PlacedRemesh placed = place_vertices(mesh_, diagram, round.mesh, round.face_points, options);
+  if (!decimated_) return placed;
+  const std::vector<GeneratorId> farther = list_farther(diagram, round, placed);
+  if (farther.empty()) return placed;
+  options.fixed.insert(options.fixed.end(), farther.begin(), farther.end());
+  return place_vertices(mesh_, diagram, round.mesh, round.face_points, options);
+}
+
+std::vector<GeneratorId> RoundMaker::list_farther(const Diagram& diagram, const RemeshRound& round,
+                                                  const PlacedRemesh& placed) const {
+  const auto& component = decimated_->component();
+  const auto component_of = [&](VertexId v) { return component[diagram.generators[v.index()].face]; };
+  const Mesh after(placed.positions, apply_flips(round.mesh.face_vertices(), placed.flips));
+  std::map<std::int32_t, std::vector<FaceId>> of_surface, of_remesh;
+  for (const FaceId f : mesh_.faces()) {
+    if (decimated_->has(component[f])) of_surface[component[f]].push_back(f);
+  }
+  for (const FaceId f : round.mesh.faces()) {
+    if (f.index() >= round.dual.faces.size()) of_remesh[component_of(round.mesh.vertices(f)[0])].push_back(f);
+  }
+  std::vector<GeneratorId> farther;
+  for (const auto& [c, faces] : of_remesh) {
+    const Mesh part = make_submesh(mesh_, of_surface[c]).mesh;
+    const PartDistance now = measure_part_distance(part, make_submesh(after, faces).mesh);
+    if (now.is_within(measure_part_distance(part, make_submesh(round.mesh, faces).mesh))) continue;
+    for (const FaceId f : faces) {
+      for (const VertexId v : round.mesh.vertices(f)) farther.emplace_back(v.value());
+    }
+  }
+  return farther;
 }
 
 void RoundMaker::append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,

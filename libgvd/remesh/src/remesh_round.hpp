@@ -9,6 +9,7 @@
 #include "gvd/diagram.hpp"
 #include "gvd/dual.hpp"
 #include "gvd/mesh.hpp"
+#include "gvd/placement.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/surface_point.hpp"
 #include "repair/decimated_components.hpp"
@@ -50,9 +51,16 @@ class RoundMaker {
   std::vector<GeneratorId> list_on_curves(const Diagram& diagram) const;
   /// Removes decimated components from the dual.
   void leave_out_decimated(const Diagram& diagram, RemeshRound& round) const;
-  /// Vertices of decimated components stay where the input has them, because their faces may be folded as the input's
-  /// are.
-  void add_decimated(const Diagram& diagram, std::vector<GeneratorId>& fixed) const;
+  /// Adds vertices of decimated components to `fixed` that stay where the input has them: those of a face that is
+  /// folded as the input's are, turned against the surface or intersecting another, and tips, because a needle has no
+  /// area by which a fit would hold its end.
+  void hold_folded(const Diagram& diagram, const RemeshRound& round, std::vector<GeneratorId>& fixed) const;
+  /// Places the vertices of a round; where those of a decimated component are farther from the surface than before,
+  /// they stay as well. Its triangles were chosen by their distance, and thin sheets or sharp edges are lost in a fit.
+  PlacedRemesh place_freely(const Diagram& diagram, const RemeshRound& round, PlacementOptions options) const;
+  /// The vertices of decimated components that a placement has taken away from the surface.
+  std::vector<GeneratorId> list_farther(const Diagram& diagram, const RemeshRound& round,
+                                        const PlacedRemesh& placed) const;
   void append_decimated(const Diagram& diagram, std::vector<std::array<VertexId, 3>>& faces,
                         std::vector<SurfacePoint>& face_points) const;
   void build_mesh(const Diagram& diagram, RemeshRound& round) const;

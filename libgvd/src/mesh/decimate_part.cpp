@@ -28,6 +28,10 @@ constexpr double kLeastCosine = 0.2;
 /// Least `shape` of a face after a collapse; or a quarter of what it was before.
 constexpr double kLeastShape = 0.05;
 
+/// Where edges are limited, a collapse may make longer ones if the planes that it leaves are, in the mean of squares,
+/// not farther than this fraction of the limit: flat parts and thin tubes need no short edges.
+constexpr double kFlatShare = 0.025;
+
 /// Neighbours that a vertex tries at most, from the cheapest. Each costs a look at all of its faces; a vertex that all
 /// faces of a part share would take the square of their number. On ordinary meshes hardly a vertex has more neighbours.
 constexpr std::size_t kMostChoices = 32;
@@ -182,9 +186,16 @@ bool PartDecimator::keeps_topology(std::int32_t v, std::int32_t w, std::int32_t 
   return common == (is_single ? 1 : 2) && !is_tetrahedron;
 }
 
+bool PartDecimator::lengthens(const Vec3& before, const Vec3& after, const Vec3& across) const {
+  const double length = (across - after).norm();
+  return length > longest_ && length > (across - before).norm();
+}
+
 bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
   bool keeps = true;
   const Vec3 &before = position_[v], &after = position_[w];
+  const double flat = kFlatShare * longest_;
+  const bool is_flat = quadric_[v].at(after) <= flat * flat * quadric_[v].area;
   for_each_edge(v, [&](std::int32_t h) {
     if (!keeps || from(h) != v) return;
     const std::int32_t a = to(h), b = from(previous(h));
@@ -193,6 +204,7 @@ bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
     const Vec3 old_normal = (p - before).cross(q - before), new_normal = (p - after).cross(q - after);
     const double old_norm = old_normal.norm(), new_norm = new_normal.norm();
     if (p == after || q == after) keeps = false;
+    if (keeps && !is_flat && lengthens(before, after, p)) keeps = false;
     if (old_norm > 0 && !(old_normal.dot(new_normal) > kLeastCosine * old_norm * new_norm)) keeps = false;
     if (keeps && is_strict_) keeps = shape(after, p, q) >= std::min(kLeastShape, 0.25 * shape(before, p, q));
   });

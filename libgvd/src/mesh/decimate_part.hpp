@@ -51,6 +51,10 @@ class PartDecimator {
   /// Asks this before each collapse; it must outlive the part. Before `decimate`.
   void guard(CollapseGuard& guard) { guard_ = &guard; }
 
+  /// Where the surface is not flat, collapses may make no edge longer than this, in mesh units, or than it was before.
+  /// Before `decimate`.
+  void limit_edges(double longest) { longest_ = longest; }
+
   /// Collapses halfedges until this share of the faces is left, or none can be collapsed. Faces with a vertex that has
   /// to stay count as if all were left. With a guard, collapses that make thin faces or turn them by much follow where
   /// others do not do. `report` is called now and then with the share of the work that is done, and
@@ -106,6 +110,8 @@ class PartDecimator {
   bool is_legal(std::int32_t v, std::int32_t halfedge);
   bool keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge);
   bool keeps_normals(std::int32_t v, std::int32_t w) const;
+  /// Whether the edge to the vertex across would get longer than is allowed.
+  bool lengthens(const Vec3& before, const Vec3& after, const Vec3& across) const;
   /// The vertex that v collapses to along a halfedge.
   std::int32_t other_end(std::int32_t v, std::int32_t halfedge) const {
     return from(halfedge) == v ? to(halfedge) : from(halfedge);
@@ -135,6 +141,7 @@ class PartDecimator {
   std::vector<std::int32_t> mark_;     // per vertex: the last question that it is a neighbour in
   std::vector<std::pair<double, std::int32_t>> choices_;
   CollapseGuard* guard_ = nullptr;
+  double longest_ = kInfinity;                               // edge that a collapse may make
   bool is_strict_ = true;                                    // no face gets thin, or turns by much
   std::set<std::pair<std::int32_t, std::int32_t>> refused_;  // collapses by the guard, from the first to the second
   std::vector<MovedFace> moved_;

@@ -12,10 +12,12 @@
 #include "dual/flipped_triangles.hpp"
 #include "dual/self_intersections.hpp"
 #include "gvd/dual.hpp"
+#include "gvd/quality.hpp"
 #include "gvd/remesh.hpp"
 #include "gvd/sampling.hpp"
 #include "gvd/surface_point.hpp"
 #include "mesh/component_topology.hpp"
+#include "part_distance.hpp"
 #include "repair/decimated_components.hpp"
 #include "support/catch.hpp"
 #include "support/generators.hpp"
@@ -30,8 +32,9 @@ struct Decimated {
   std::vector<SurfacePoint> generators, face_points;
 };
 
-Decimated decimate_all(const Mesh& surface, std::int64_t vertices) {
-  DecimatedComponents components(surface);
+/// `spacing`: of the generators; by default one that limits no edge.
+Decimated decimate_all(const Mesh& surface, std::int64_t vertices, double spacing = kInfinity) {
+  DecimatedComponents components(surface, spacing);
   std::map<std::int32_t, std::int64_t> all;
   for (const std::int32_t c : components.component()) all[c] = vertices;
   components.add(all);
@@ -97,7 +100,7 @@ TEST_CASE("decimated components: two spheres, one close inside the other, keep a
 
 TEST_CASE("decimated components: a component that is refined has more vertices each time, in the end its own") {
   const Mesh sphere = test::make_sphere(3);
-  DecimatedComponents components(sphere);
+  DecimatedComponents components(sphere, 10);
   components.add({{0, 8}});
   components.decimate({});
   CHECK(components.vertices().size() == 8);
@@ -112,6 +115,85 @@ TEST_CASE("decimated components: a component that is refined has more vertices e
   }
   CHECK(std::ssize(components.vertices()) == sphere.vertex_count());
   for (const DecimatedFace& face : components.faces()) CHECK(face.corners == sphere.vertices(face.origin));
+}
+
+TEST_CASE("decimated components: edges on curved parts stay within two spacings, with more vertices than asked for") {
+  const Mesh sphere = test::make_sphere(4);
+  const Decimated coarse = decimate_all(sphere, 20), limited = decimate_all(sphere, 20, 0.2);
+  CHECK(coarse.mesh.vertex_count() == 20);
+  CHECK(longest_edge(coarse.mesh) > 0.8);
+  CHECK(limited.mesh.vertex_count() > 60);
+  CHECK(longest_edge(limited.mesh) < 0.5);
+}
+
+TEST_CASE("decimated components: flat parts have long edges, whatever the spacing") {
+  CHECK(decimate_all(test::make_grid(12, 9), 20, 0.1).mesh.vertex_count() == 20);
+}
+
+TEST_CASE("part distance: of a sphere and another one inside, both ways") {
+  const Mesh sphere = test::make_sphere(3);
+  std::vector<Vec3> positions = sphere.positions();
+  for (Vec3& p : positions) p *= 0.9;
+  const Mesh smaller(positions, sphere.face_vertices());
+  const PartDistance distance = measure_part_distance(sphere, smaller), none = measure_part_distance(sphere, sphere);
+  CHECK_THAT(distance.rms, Catch::Matchers::WithinAbs(0.1, 0.002));
+  CHECK_THAT(distance.largest, Catch::Matchers::WithinAbs(0.1, 0.002));
+  CHECK(none.largest < 1e-12);
+  CHECK(none.is_within(distance));
+  CHECK_FALSE(distance.is_within(none));
+  CHECK_FALSE(PartDistance{1, 3}.is_within({2, 2}));
+  CHECK_FALSE(PartDistance{2, 1}.is_within({1, 2}));
+}
+
+/// The mesh with a needle of this height and 1e-7 of the width on one of its faces.
+Mesh with_needle(const Mesh& mesh, FaceId on, double height) {
+  std::vector<Vec3> positions = mesh.positions();
+  std::vector<std::array<VertexId, 3>> faces = mesh.face_vertices();
+  const std::array<VertexId, 3> outer = mesh.vertices(on);
+  const Vec3 middle = (positions[outer[0].index()] + positions[outer[1].index()] + positions[outer[2].index()]) / 3;
+  const VertexId first(mesh.vertex_count()), tip(mesh.vertex_count() + 3);
+  for (const VertexId v : outer) positions.push_back(middle + 1e-7 * (mesh.position(v) - middle));
+  positions.push_back(middle + height * face_normal(mesh, on));
+  faces.erase(faces.begin() + on.value());
+  for (int i = 0; i < 3; ++i) {
+    const VertexId a = outer[i], b = outer[(i + 1) % 3], c(first.value() + i), d(first.value() + (i + 1) % 3);
+    faces.insert(faces.end(), {{a, b, d}, {a, d, c}, {c, d, tip}});
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
+TEST_CASE("remesh: decimated triangles get good shapes, and keep the ends of needles") {
+  const Mesh sphere = with_needle(test::make_sphere(4), FaceId(100), 0.4);
+  SamplingOptions sampling;
+  sampling.count = 100;
+  RemeshOptions options;
+  options.may_decimate = true;
+  const std::vector<SurfacePoint> generators = sample_generators(sphere, sampling);
+  const RemeshResult result = remesh(sphere, generators, options);
+  CHECK(result.certificate.ok());
+  REQUIRE(result.decimated.components == 1);
+  CHECK(result.output_quality.q_average > 0.85);
+  CHECK(result.input_to_output.hausdorff < 0.2);
+  CHECK(result.input_to_output.rms < 0.015);
+  options.placement.method = Placement::generator;
+  const RemeshResult held = remesh(sphere, generators, options);
+  CHECK(held.output_quality.q_average < 0.8);
+  CHECK(result.input_to_output.rms < held.input_to_output.rms);
+}
+
+TEST_CASE("remesh: decimated triangles stay where a fit would take them away from the surface") {
+  const Mesh box = with_needle(test::make_plate(8, 0.5), FaceId(10), 0.4);
+  SamplingOptions sampling;
+  sampling.count = 50;
+  RemeshOptions options;
+  options.may_decimate = true;
+  const std::vector<SurfacePoint> generators = sample_generators(box, sampling);
+  const RemeshResult result = remesh(box, generators, options);
+  REQUIRE(result.decimated.components == 1);
+  options.placement.method = Placement::generator;
+  const RemeshResult held = remesh(box, generators, options);
+  CHECK(result.input_to_output.rms <= held.input_to_output.rms);
+  CHECK(result.output_to_input.rms <= held.output_to_input.rms);
 }
 
 TEST_CASE("remesh: a spike too narrow for generators keeps its own triangles, decimated") {

@@ -27,6 +27,11 @@ namespace {
 constexpr std::size_t kFirstKept = 2;
 constexpr int kMostRefinements = 12;
 
+/// The longest edge that a collapse makes on curved parts, in spacings of the generators. Where folds keep most of the
+/// vertices asked for, the rest of the component would else become a few large faces: a sphere with a patch of folds,
+/// for 100 vertices, had an RMS distance of 2.7 % of the diagonal, and has 1.1 % with 33 vertices more.
+constexpr double kLongestEdge = 2;
+
 /// The largest number of faces that a collapse may move, because every two of them are compared. A vertex with more
 /// faces stays, and others collapse to it.
 constexpr std::size_t kMostMoved = 64;
@@ -154,8 +159,9 @@ class PartGuard : public CollapseGuard {
 
 }  // namespace
 
-DecimatedComponents::DecimatedComponents(const Mesh& surface)
+DecimatedComponents::DecimatedComponents(const Mesh& surface, double spacing)
     : surface_(surface),
+      spacing_(spacing),
       component_(compute_face_components(surface)),
       is_kept_(surface.vertex_count(), 0),
       members_(surface.vertex_count()) {}
@@ -216,6 +222,7 @@ void DecimatedComponents::decimate(const Submesh& own, CollapseGuard& guard, Par
   for (const FaceId f : faces) places.push_back({0, f.value()});
   PartDecimator decimator(own.mesh, faces, places);
   decimator.guard(guard);
+  decimator.limit_edges(kLongestEdge * spacing_);
   decimator.keep(
       [&](VertexId v) { return part.refinements >= kMostRefinements || is_kept_[own.whole_vertex[v]] != 0; });
   decimator.decimate_to(part.vertices, report);

@@ -29,16 +29,17 @@ struct DecimatedFace {
 /// Components of a surface that are remeshed by their own triangles, decimated, and not by the dual of a diagram.
 ///
 /// If no generators are found whose dual is a proper mesh, the surface itself is one. Halfedges of it collapse as long
-/// as topology and orientation stay the same and no face meets a face that it has not met before. If the result meets
-/// faces of other components, fewer halfedges collapse, in the end none.
+/// as topology and orientation stay the same, no face meets a face that it has not met before, and edges on curved
+/// parts stay within two spacings. If the result meets faces of other components, fewer halfedges collapse, in the end
+/// none.
 ///
 /// Properties: (1) each vertex is one of the surface; (2) the faces of each component have its topology; (3) a face is
 /// a triangle of the surface, or is not flipped (find_flipped_faces); (4) no more pairs of faces intersect than on the
 /// surface; (5) deterministic.
 class DecimatedComponents {
  public:
-  /// The surface must outlive this. Cost: O(n).
-  explicit DecimatedComponents(const Mesh& surface);
+  /// The surface must outlive this. `spacing`: of the generators on the whole surface, mesh units. Cost: O(n).
+  DecimatedComponents(const Mesh& surface, double spacing);
 
   std::int32_t count() const { return std::int32_t(parts_.size()); }
   bool has(std::int32_t component) const { return parts_.contains(component); }
@@ -46,7 +47,8 @@ class DecimatedComponents {
   /// The component of each face of the surface, as compute_face_components numbers them.
   const IdVector<FaceId, std::int32_t>& component() const { return component_; }
 
-  /// Adds components, each for about so many vertices. Nothing happens to them before `decimate`. Cost: O(n).
+  /// Adds components, each for so many vertices, or as many more as the conditions above ask for. Nothing happens to
+  /// them before `decimate`. Cost: O(n).
   void add(const std::map<std::int32_t, std::int64_t>& vertices_of_component);
 
   /// Lets fewer vertices of the surface collapse to the corners of a face: some that are far from it stay. The face is
@@ -77,6 +79,7 @@ class DecimatedComponents {
   void take(const Submesh& own, const PartDecimator& decimator, Part& part);
 
   const Mesh& surface_;
+  double spacing_;  // of the generators
   IdVector<FaceId, std::int32_t> component_;
   std::map<std::int32_t, Part> parts_;
   IdVector<VertexId, char> is_kept_;
