@@ -11,6 +11,7 @@
 namespace gvd {
 namespace {
 
+/// As many samples for each vertex of the remesh as the last round of a fit has.
 constexpr double kComparedSamples = 16;
 
 }  // namespace
@@ -26,9 +27,8 @@ PartDistance measure_part_distance(const Mesh& surface, const Mesh& remesh) {
     NearestFace nearest;
     for (const AreaSample& sample : sample_surface(*from, count)) {
       nearest = tree.nearest_face(sample.position, nearest.face.valid() ? nearest.face : FaceId(0));
-      const double d = tree.distance(sample.position, nearest.face);
-      distance.largest = std::max(distance.largest, d);
-      sum += sample.area * d * d;
+      distance.largest = std::max(distance.largest, nearest.distance);
+      sum += sample.area * nearest.distance * nearest.distance;
       area += sample.area;
     }
     if (area > 0) distance.rms = std::max(distance.rms, std::sqrt(sum / area));

@@ -59,7 +59,7 @@ void RoundMaker::place(const Diagram& diagram, RemeshRound& round) {
   options.threads = options_.diagram.threads;
   options.progress = options_.diagram.progress;
   options.fixed = find_in_order(fixed_, diagram.generators);
-  if (decimated_) hold_folded(diagram, round, options.fixed);
+  if (decimated_) hold_folds_and_tips(diagram, round, options.fixed);
   if (options.method != Placement::generator && options.fixed.size() < diagram.generators.size()) {
     options.on_curves = list_on_curves(diagram);
     PlacedRemesh placed = place_freely(diagram, round, options);
@@ -121,7 +121,8 @@ void RoundMaker::leave_out_decimated(const Diagram& diagram, RemeshRound& round)
   round.dual = std::move(left);
 }
 
-void RoundMaker::hold_folded(const Diagram& diagram, const RemeshRound& round, std::vector<GeneratorId>& fixed) const {
+void RoundMaker::hold_folds_and_tips(const Diagram& diagram, const RemeshRound& round,
+                                     std::vector<GeneratorId>& fixed) const {
   const Mesh& mesh = round.mesh;
   std::vector<FaceId> folded;
   const auto normals = normals_at_faces(mesh_, mesh, diagram.generators, round.face_points);

@@ -54,7 +54,7 @@ class RoundMaker {
   /// Adds vertices of decimated components to `fixed` that stay where the input has them: those of a face that is
   /// folded as the input's are, turned against the surface or intersecting another, and tips, because a needle has no
   /// area by which a fit would hold its end.
-  void hold_folded(const Diagram& diagram, const RemeshRound& round, std::vector<GeneratorId>& fixed) const;
+  void hold_folds_and_tips(const Diagram& diagram, const RemeshRound& round, std::vector<GeneratorId>& fixed) const;
   /// Places the vertices of a round; where those of a decimated component are farther from the surface than before,
   /// they stay as well. Its triangles were chosen by their distance, and thin sheets or sharp edges are lost in a fit.
   PlacedRemesh place_freely(const Diagram& diagram, const RemeshRound& round, PlacementOptions options) const;

@@ -141,7 +141,7 @@ double PartDecimator::find_best(std::int32_t v) {
 
 bool PartDecimator::is_legal(std::int32_t v, std::int32_t halfedge) {
   const std::int32_t w = other_end(v, halfedge);
-  return keeps_topology(v, w, halfedge) && keeps_normals(v, w);
+  return keeps_topology(v, w, halfedge) && keeps_shapes(v, w);
 }
 
 bool PartDecimator::is_refused_by_guard(std::int32_t v, std::int32_t halfedge) {
@@ -191,11 +191,11 @@ bool PartDecimator::lengthens(const Vec3& before, const Vec3& after, const Vec3&
   return length > longest_ && length > (across - before).norm();
 }
 
-bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
+bool PartDecimator::keeps_shapes(std::int32_t v, std::int32_t w) const {
   bool keeps = true;
   const Vec3 &before = position_[v], &after = position_[w];
   const double flat = kFlatShare * longest_;
-  const bool is_flat = quadric_[v].at(after) <= flat * flat * quadric_[v].area;
+  const bool is_limited = longest_ < kInfinity && quadric_[v].at(after) > flat * flat * quadric_[v].area;
   for_each_edge(v, [&](std::int32_t h) {
     if (!keeps || from(h) != v) return;
     const std::int32_t a = to(h), b = from(previous(h));
@@ -204,7 +204,7 @@ bool PartDecimator::keeps_normals(std::int32_t v, std::int32_t w) const {
     const Vec3 old_normal = (p - before).cross(q - before), new_normal = (p - after).cross(q - after);
     const double old_norm = old_normal.norm(), new_norm = new_normal.norm();
     if (p == after || q == after) keeps = false;
-    if (keeps && !is_flat && lengthens(before, after, p)) keeps = false;
+    if (keeps && is_limited && lengthens(before, after, p)) keeps = false;
     if (old_norm > 0 && !(old_normal.dot(new_normal) > kLeastCosine * old_norm * new_norm)) keeps = false;
     if (keeps && is_strict_) keeps = shape(after, p, q) >= std::min(kLeastShape, 0.25 * shape(before, p, q));
   });

@@ -109,7 +109,8 @@ class PartDecimator {
   double find_best(std::int32_t v);
   bool is_legal(std::int32_t v, std::int32_t halfedge);
   bool keeps_topology(std::int32_t v, std::int32_t w, std::int32_t halfedge);
-  bool keeps_normals(std::int32_t v, std::int32_t w) const;
+  /// Whether no face turns by much, gets thin under the strict rules, or gets too long an edge.
+  bool keeps_shapes(std::int32_t v, std::int32_t w) const;
   /// Whether the edge to the vertex across would get longer than is allowed.
   bool lengthens(const Vec3& before, const Vec3& after, const Vec3& across) const;
   /// The vertex that v collapses to along a halfedge.
