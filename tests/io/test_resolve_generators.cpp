@@ -26,7 +26,7 @@ TEST_CASE("vertices are those of the input file") {
   };
   CHECK(
       message("1\n0\n") ==
-      "list:2: vertex 0 is in no face of the mesh, or in a component that was dropped; choose another; choose another");
+      "list:2: vertex 0 is in no face of the mesh, or in a component that was dropped; choose another");
   CHECK(message("3\n") == "list:1: there is no vertex 3; the mesh has 3, numbered from 0");
   CHECK(message("8 1 0 0\n") == "list:1: there is no face 8; the mesh has 8, numbered from 0");
   for (const auto kind : {Kind::vertex, Kind::face}) {

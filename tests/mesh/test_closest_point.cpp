@@ -1,6 +1,9 @@
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "gvd/closest_point.hpp"
 #include "gvd/error.hpp"
@@ -33,24 +36,52 @@ TEST_CASE("closest point on a face without area: on its longest edge") {
   CHECK((position(mesh, found.point) - Vec3(3, 0, 0)).norm() < 1e-14);
 }
 
-TEST_CASE("closest point: as a search through all faces, near the surface and far from it") {
+/// Compares a tree with a search through all faces, near the surface and far from it. `rounding` is that of the quick
+/// search, which projects on the planes of needles; mesh units.
+void check_against_all_faces(const Mesh& mesh, double rounding) {
+  const ClosestPointTree tree(mesh);
+  test::Random random(6);
+  for (int round = 0; round < 100; ++round) {
+    const double size = std::pow(10, random.real(-2, 1));
+    const Vec3 query = mesh.position(VertexId(random.below(mesh.vertex_count()))) +
+                       size * Vec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
+    ClosestPoint best = closest_point_on_face(mesh, FaceId(0), query);
+    for (int f = 1; f < mesh.face_count(); ++f) {
+      const ClosestPoint found = closest_point_on_face(mesh, FaceId(f), query);
+      if (found.distance < best.distance) best = found;
+    }
+    const ClosestPoint found = tree.query(query);
+    REQUIRE(found.distance == best.distance);
+    REQUIRE(found.point.face == best.point.face);
+    REQUIRE((position(mesh, found.point) - query).norm() == Approx(best.distance).epsilon(1e-9).margin(1e-11));
+    REQUIRE(tree.nearest_face(query).distance == Approx(best.distance).epsilon(1e-9).margin(rounding));
+  }
+}
+
+/// Two fans of needles with the right angle between them, each from a corner of a strip to points of the other side.
+/// The strips are a thousand times as long as they are wide.
+Mesh make_rod(int needles, const Eigen::Matrix3d& turn, const Vec3& offset) {
+  std::vector<Vec3> positions{{0, 0, 0}, {0, 1, 1}};
+  std::vector<std::array<int, 3>> faces;
+  for (int i = 0; i <= needles; ++i) positions.emplace_back(1000.0 * i / needles, 1, 0);
+  for (Vec3& p : positions) p = turn * p + offset;
+  for (int i = 2; i < needles + 2; ++i) faces.insert(faces.end(), {{0, i + 1, i}, {1, i, i + 1}});
+  return test::make_mesh(positions, faces);
+}
+
+TEST_CASE("closest point: as a search through all faces") {
   for (const auto& [name, mesh] : test::small_family()) {
     INFO(name);
-    const ClosestPointTree tree(mesh);
-    test::Random random(6);
-    for (int round = 0; round < 100; ++round) {
-      const double size = std::pow(10, random.real(-2, 1));
-      const Vec3 query = mesh.position(VertexId(random.below(mesh.vertex_count()))) +
-                         size * Vec3(random.real(-1, 1), random.real(-1, 1), random.real(-1, 1));
-      ClosestPoint best = closest_point_on_face(mesh, FaceId(0), query);
-      for (int f = 1; f < mesh.face_count(); ++f) {
-        const ClosestPoint found = closest_point_on_face(mesh, FaceId(f), query);
-        if (found.distance < best.distance) best = found;
-      }
-      const ClosestPoint found = tree.query(query);
-      REQUIRE(found.distance == best.distance);
-      REQUIRE(found.point.face == best.point.face);
-      REQUIRE((position(mesh, found.point) - query).norm() == Approx(best.distance).epsilon(1e-9).margin(1e-11));
+    check_against_all_faces(mesh, 1e-14);
+  }
+}
+
+TEST_CASE("closest point: as a search through all faces among needles, along the axes and oblique to them") {
+  for (const double angle : {0.0, 1.0}) {
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (const Vec3& offset : {Vec3(0, 0, 0), Vec3(-2e4, 1e4, 6e3)}) {
+      CAPTURE(angle, offset.x());
+      check_against_all_faces(make_rod(50, turn, offset), 1e-10);
     }
   }
 }

@@ -1,7 +1,8 @@
 // Computes lower envelopes of functions that are linear over a triangle.
 //
 // The part of a function is initially the whole triangle, and is clipped by every other function that is the least
-// somewhere.
+// somewhere. A needle that crosses hundreds of cells has as many functions, and most of them clip nothing: these are
+// passed over several at a time.
 #include "lower_envelope.hpp"
 
 #include <algorithm>
@@ -23,6 +24,9 @@ Bary zero_between(const Bary& a, double at_a, const Bary& b, double at_b) {
   const double t = at_a / (at_a - at_b);
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])};
 }
+
+/// The number of functions that are compared with a part at a time, in a loop that compilers turn into vector code.
+constexpr std::size_t kBlock = 8;
 
 /// Two functions count as equal if their values differ by less than this, relative to the values: a thousand times
 /// their rounding.
@@ -51,17 +55,41 @@ void set_to_triangle(EnvelopePart& part, std::size_t function) {
 std::span<const EnvelopePart> LowerEnvelope::compute(const std::vector<std::array<double, 3>>& values) {
   list_candidates(values);
   std::size_t count = 0;
-  for (const std::size_t f : candidates_) {
+  for (std::size_t own = 0; own < candidates_.size(); ++own) {
     if (count == parts_.size()) parts_.emplace_back();
     EnvelopePart& part = parts_[count];
-    set_to_triangle(part, f);
-    for (const std::size_t other : candidates_) {
-      if (part.corners.size() < 3) break;
-      if (other != f) clip(values, part, other);
+    set_to_triangle(part, candidates_[own]);
+    for (std::size_t next = 0; part.corners.size() > 2; ++next) {
+      next = find_clipping(part, own, next);
+      if (next == candidates_.size()) break;
+      clip(values, part, candidates_[next]);
     }
     if (part.corners.size() > 2) ++count;
   }
   return {parts_.data(), count};
+}
+
+/// The first candidate, from number `from` on, that is not above the part's function everywhere on the part; their
+/// number if there is none. `own` is the number of the part's function.
+std::size_t LowerEnvelope::find_clipping(const EnvelopePart& part, std::size_t own, std::size_t from) const {
+  const std::size_t count = candidates_.size();
+  const auto& [at_a, at_b, at_c] = candidate_values_;
+  for (; from < count; from += kBlock) {
+    const std::size_t size = std::min(kBlock, count - from);
+    std::array<double, kBlock> least;
+    least.fill(kInfinity);
+    for (const Bary& corner : part.corners) {
+      for (std::size_t i = 0; i < size; ++i) {
+        const double excess = corner[0] * (at_a[from + i] - at_a[own]) + corner[1] * (at_b[from + i] - at_b[own]) +
+                              corner[2] * (at_c[from + i] - at_c[own]);
+        least[i] = std::min(least[i], excess);
+      }
+    }
+    for (std::size_t i = 0; i < size; ++i) {
+      if (!(least[i] > 0) && from + i != own) return from + i;
+    }
+  }
+  return count;
 }
 
 void LowerEnvelope::list_candidates(const std::vector<Function>& values) {
@@ -74,6 +102,10 @@ void LowerEnvelope::list_candidates(const std::vector<Function>& values) {
     if (std::any_of(candidates_.begin(), candidates_.end(), is_beaten_by)) continue;
     std::erase_if(candidates_, [&](std::size_t other) { return is_nowhere_less(values[other], values[f]); });
     candidates_.push_back(f);
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    candidate_values_[i].clear();
+    for (const std::size_t f : candidates_) candidate_values_[i].push_back(values[f][i]);
   }
 }
 

@@ -66,7 +66,7 @@ constexpr std::int64_t kRepairDiagrams = 60, kRepairEventsPerFace = 300, kRepair
 
 /// Ordinary faces have 10 to 30 windows, needles have hundreds, and a diagram of needles takes as long as twenty
 /// ordinary ones. If the first diagram has more than kNeedleEventsPerFace windows for each face, only kNeedleRounds
-/// rounds of repair follow.
+/// rounds of repair follow, and none if most cells have a defect: then it would take several times the generators.
 constexpr std::int64_t kNeedleEventsPerFace = 100;
 constexpr std::int32_t kNeedleRounds = 1;
 
@@ -309,19 +309,20 @@ class Remesher {
 
   /// Why more generators won't lead to a right dual, or not in time; nothing if they may.
   std::optional<DecimationCause> find_hopeless(const std::vector<DualDefect>& defects) const {
+    // Triangles that intersect are looked for only if nothing else is wrong, so their number says nothing about growth.
+    const bool is_topology = defects.front().property < DualProperty::not_flipped;
+    const std::size_t generators = result_.generators.size();
+    const bool is_everywhere =
+        is_topology && 2 * defects.size() > generators && generators >= kGrowthGenerators * components_;
+    const bool are_needles = first_events_ > kNeedleEventsPerFace * mesh_.face_count() + kRepairEvents;
+    if (are_needles && (result_.rounds > kNeedleRounds || is_everywhere)) return DecimationCause::work;
     const std::int64_t most_events =
         kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
-    const bool are_needles = first_events_ > kNeedleEventsPerFace * mesh_.face_count() + kRepairEvents;
-    if (are_needles && result_.rounds > kNeedleRounds) return DecimationCause::work;
     if (result_.rounds - progress_round_ >= kStagnantRounds) return DecimationCause::work;
     const std::int32_t most_placements = is_assembly() ? kMaxAssemblyPlacements : kMaxPlacements;
     if (placements_ >= most_placements || events_ - earlier_events_ > most_events) return DecimationCause::work;
-    // Triangles that intersect are looked for only if nothing else is wrong, so their number says nothing about growth.
-    const bool is_topology = defects.front().property < DualProperty::not_flipped;
     const bool has_grown = result_.rounds >= kGrowthRound && 2 * defects.size() > 3 * history_.front().second;
-    const std::size_t generators = result_.generators.size();
-    const bool is_everywhere = 2 * defects.size() > generators && generators >= kGrowthGenerators * components_;
-    return is_topology && has_grown && is_everywhere ? std::optional(DecimationCause::growth) : std::nullopt;
+    return has_grown && is_everywhere ? std::optional(DecimationCause::growth) : std::nullopt;
   }
 
   std::int32_t component_of(const DualDefect& defect) const {

@@ -164,7 +164,7 @@ class Resolver {
     const VertexId v = map ? (*map)[index] : VertexId(index);
     if (!v.valid())
       refuse(fmt::format(
-          "vertex {} is in no face of the mesh, or in a component that was dropped; choose another; choose another",
+          "vertex {} is in no face of the mesh, or in a component that was dropped; choose another",
           index));
     return vertex_point(mesh_, v);
   }

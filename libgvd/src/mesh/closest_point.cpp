@@ -3,6 +3,11 @@
 // The search uses a tree of bounding boxes, which halves the faces at the median of their centres along the longest
 // axis of their box. Its leaves have at most four faces. A search visits the nearer box first, with the nearest face as
 // a first bound.
+//
+// A needle that is oblique to the axes has a box that is far larger than itself: among thousands of them, each query
+// lies in nearly all boxes. So the tree holds a needle as several slices with a box each; a slice that is visited
+// measures the distance of its whole face, which is right for every slice of it. And where most needles have one
+// direction, as on a rod, the boxes follow the principal axes of the mesh.
 // Source: C. Ericson, Real-time collision detection, 2005, section 5.1.5, for the tree's quick distance from a
 // triangle: first the region of the plane, then the projection. `closest_point_on_face` is slower, and has the last
 // word.
@@ -12,12 +17,14 @@
 #include "gvd/closest_point.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <set>
 #include <tuple>
 #include <type_traits>
 
 #include "base/barycentric.hpp"
 #include "gvd/error.hpp"
+#include "mesh/box_frame.hpp"
 
 namespace gvd {
 namespace {
@@ -27,6 +34,11 @@ constexpr std::int32_t kLeafFaces = 4;
 /// It is far above the rounding of the two distances (about ten units in the last place), so that no closer face is
 /// ever skipped.
 constexpr double kPruneSlack = 1e-12;
+
+/// The quick distance divides by the squared sine of the angle at a triangle's origin. If that is smaller than this,
+/// the origin is the corner with the largest sine, and the distances from all sides count, too. In other triangles the
+/// foot has a relative rounding of at most 1e-9. Dimensionless.
+constexpr double kLeastSquareSine = 1e-6;
 
 struct ClosestOnFace {
   Bary bary{1, 0, 0};
@@ -57,6 +69,48 @@ ClosestOnFace closest_inside(const std::array<Vec3, 3>& corners, const Vec3& que
   for (double& b : bary) b /= sum;
   return {bary, (interpolate(bary, corners[0], corners[1], corners[2]) - query).norm()};
 }
+
+/// A slice of a needle is at least this many times as long as the needle is high. A slice of that shape fills its box
+/// well enough. Dimensionless.
+constexpr double kLeastSliceLength = 2;
+/// Slices are at least as long as the mean of the longest sides of all faces, times this. So there are at most 1 / this
+/// times as many more slices as there are faces. Dimensionless.
+constexpr double kLeastSliceShare = 0.25;
+/// The corners of a slice are computed; a slice's box is larger by this fraction of the largest coordinate of its
+/// corners: four units of it, where each coordinate has a rounding of two. Dimensionless.
+constexpr double kSliceRounding = 4 * std::numeric_limits<double>::epsilon();
+
+/// A triangle from corner 0 of its longest side on, counter-clockwise.
+struct LongTriangle {
+  std::array<Vec3, 3> corners;
+  double length = 0, height = 0;  // of the longest side and above it; mesh units
+
+  explicit LongTriangle(const std::array<Vec3, 3>& from) : corners(from) {
+    const auto side = [&](std::size_t k) -> Vec3 { return from[(k + 1) % 3] - from[k]; };
+    const std::array<double, 3> square{side(0).squaredNorm(), side(1).squaredNorm(), side(2).squaredNorm()};
+    const auto start = std::max_element(square.begin(), square.end()) - square.begin();
+    std::rotate(corners.begin(), corners.begin() + start, corners.end());
+    length = std::sqrt(square[std::size_t(start)]);
+    if (length > 0) height = side(0).cross(side(1)).norm() / length;
+  }
+
+  /// The box of the part between two shares of the longest side, across which the triangle is cut.
+  Eigen::AlignedBox3d box_between(double from, double to) const {
+    const auto& [start, end, apex] = corners;
+    const double foot = std::clamp(foot_on_line(start, end, apex), 0.0, 1.0);
+    Eigen::AlignedBox3d box;
+    for (const double at : {from, to}) {
+      box.extend(start + at * (end - start));
+      box.extend(at < foot ? Vec3(start + at / foot * (apex - start))
+                           : Vec3(end + (foot < 1 ? (1 - at) / (1 - foot) : 0.0) * (apex - end)));
+    }
+    if (from < foot && foot < to) box.extend(apex);
+    const double rounding = kSliceRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
+    box.extend(box.min() - Vec3::Constant(rounding));
+    box.extend(box.max() + Vec3::Constant(rounding));
+    return box;
+  }
+};
 
 double square_distance_to_box(const Eigen::AlignedBox3d& box, const Vec3& query) {
   return (box.min() - query).cwiseMax(query - box.max()).cwiseMax(0.0).squaredNorm();
@@ -98,62 +152,135 @@ ClosestPoint closest_point_on_face(const Mesh& mesh, FaceId f, const Vec3& query
   return {make_surface_point(f, best.bary), best.distance};
 }
 
-ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
-  std::vector<Vec3> centres;  // three times the centre of each face
-  for (const FaceId f : mesh.faces()) {
-    const Triangle t = make_triangle(f);
-    centres.push_back(3 * t.origin + t.u + t.v);
-    faces_.push_back(f);
+/// What the leaves hold: faces and slices, with what sorts them.
+class ClosestPointTree::Entries {
+ public:
+  struct Entry {
+    FaceId face;
+    std::int32_t slice = -1;  ///< number of a slice's box; -1 for a whole face
+  };
+
+  explicit Entries(const Mesh& mesh) : mesh_(mesh), frame_(mesh) {
+    double sum = 0;
+    for (const FaceId f : mesh.faces()) sum += LongTriangle(corners(f)).length;
+    const double least_length = kLeastSliceShare * sum / std::max(mesh.face_count(), 1);
+    for (const FaceId f : mesh.faces()) add(f, least_length);
   }
-  if (!faces_.empty()) build(0, mesh.face_count(), centres);
-  place_.resize(faces_.size());
-  for (std::int32_t i = 0; i < mesh.face_count(); ++i) {
-    place_[faces_[i]] = i;
-    triangles_.push_back(make_triangle(faces_[i]));
+
+  const Eigen::Matrix3d& axes() const { return frame_.axes(); }
+  std::vector<Entry>& order() { return order_; }
+
+  Eigen::AlignedBox3d box(const Entry& entry) const {
+    if (entry.slice >= 0) return boxes_[std::size_t(entry.slice)];
+    Eigen::AlignedBox3d box;
+    for (const Vec3& p : corners(entry.face)) box.extend(p);
+    return frame_.widened(box);
+  }
+
+  /// Three times the centre.
+  double centre(const Entry& entry, Eigen::Index axis) const {
+    if (entry.slice < 0) return centres_[entry.face][axis];
+    const Eigen::AlignedBox3d& box = boxes_[std::size_t(entry.slice)];
+    return 1.5 * (box.min()[axis] + box.max()[axis]);
+  }
+
+ private:
+  std::array<Vec3, 3> corners(FaceId f) const {
+    const auto& [a, b, c] = mesh_.vertices(f);
+    return {frame_.turned(mesh_.position(a)), frame_.turned(mesh_.position(b)), frame_.turned(mesh_.position(c))};
+  }
+
+  void add(FaceId f, double least_length) {
+    const std::array<Vec3, 3> at = corners(f);
+    centres_.push_back(3 * at[0] + (at[1] - at[0]) + (at[2] - at[0]));
+    const LongTriangle triangle(at);
+    const double slice = std::max(kLeastSliceLength * triangle.height, least_length);
+    // A length that is not finite, or zero, makes one entry.
+    const int count = triangle.length > slice ? int(triangle.length / slice) : 1;
+    if (count == 1) return order_.push_back({.face = f});
+    for (int i = 0; i < count; ++i) {
+      order_.push_back({.face = f, .slice = std::int32_t(boxes_.size())});
+      boxes_.push_back(frame_.widened(triangle.box_between(double(i) / count, double(i + 1) / count)));
+    }
+  }
+
+  const Mesh& mesh_;
+  BoxFrame frame_;
+  std::vector<Entry> order_;
+  IdVector<FaceId, Vec3> centres_;            // three times those of the faces
+  std::vector<Eigen::AlignedBox3d> boxes_;    // of the slices
+};
+
+ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
+  Entries entries(mesh);
+  axes_ = entries.axes();
+  const auto count = std::int32_t(entries.order().size());
+  if (count > 0) build(0, count, entries);
+  place_.resize(std::size_t(mesh.face_count()));
+  for (std::int32_t i = 0; i < count; ++i) {
+    const FaceId f = entries.order()[std::size_t(i)].face;
+    place_[f] = i;
+    faces_.push_back(f);
+    triangles_.push_back(make_triangle(f));
   }
 }
 
 ClosestPointTree::Triangle ClosestPointTree::make_triangle(FaceId f) const {
-  const auto& [a, b, c] = mesh_->vertices(f);
-  const Vec3& origin = mesh_->position(a);
-  const Vec3 u = mesh_->position(b) - origin, v = mesh_->position(c) - origin;
-  return {origin, u, v, u.squaredNorm(), u.dot(v), v.squaredNorm()};
+  const auto& vertices = mesh_->vertices(f);
+  const auto from_corner = [&](std::size_t k) -> Triangle {
+    const Vec3& origin = mesh_->position(vertices[k]);
+    const Vec3 u = mesh_->position(vertices[(k + 1) % 3]) - origin, v = mesh_->position(vertices[(k + 2) % 3]) - origin;
+    return {origin, u, v, u.squaredNorm(), u.dot(v), v.squaredNorm()};
+  };
+  Triangle best = from_corner(0);
+  for (std::size_t k = 1; k < 3 && best.is_thin(); ++k) {
+    const Triangle other = from_corner(k);
+    if (other.square_sine() > best.square_sine()) best = other;
+  }
+  return best;
 }
 
-void ClosestPointTree::build(std::int32_t first, std::int32_t count, const std::vector<Vec3>& centres) {
+void ClosestPointTree::build(std::int32_t first, std::int32_t count, Entries& entries) {
   const std::size_t index = nodes_.size();
-  const auto begin = faces_.begin() + first, end = begin + count;
+  const auto begin = entries.order().begin() + first, end = begin + count;
   Node node;
-  for (auto f = begin; f != end; ++f) {
-    for (const VertexId v : mesh_->vertices(*f)) node.box.extend(mesh_->position(v));
-  }
+  for (auto entry = begin; entry != end; ++entry) node.box.extend(entries.box(*entry));
   node.first = first;
   node.count = count <= kLeafFaces ? count : 0;
   nodes_.push_back(node);
   if (node.count > 0) return;
   Eigen::Index axis = 0;
   node.box.sizes().maxCoeff(&axis);
-  std::nth_element(begin, begin + count / 2, end, [&](FaceId f, FaceId g) {
-    const double at_f = centres[f.index()][axis], at_g = centres[g.index()][axis];
-    return at_f < at_g || (at_f == at_g && f < g);
+  std::nth_element(begin, begin + count / 2, end, [&](const Entries::Entry& a, const Entries::Entry& b) {
+    return std::tuple(entries.centre(a, axis), a.face, a.slice) < std::tuple(entries.centre(b, axis), b.face, b.slice);
   });
-  build(first, count / 2, centres);
+  build(first, count / 2, entries);
   nodes_[index].right = static_cast<std::int32_t>(nodes_.size());
-  build(first + count / 2, count - count / 2, centres);
+  build(first + count / 2, count - count / 2, entries);
+}
+
+bool ClosestPointTree::Triangle::is_thin() const { return !(determinant() > kLeastSquareSine * uu * vv); }
+
+/// Of a triangle without area, or with sides whose squares overflow, it is 0.
+double ClosestPointTree::Triangle::square_sine() const {
+  const double square = determinant() / (uu * vv);
+  return square > 0 ? square : 0;
 }
 
 double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   const Vec3 to = query - t.origin;
   const double pu = t.u.dot(to), pv = t.v.dot(to);
-  const double determinant = t.uu * t.vv - t.uv * t.uv;
+  const double determinant = t.determinant();
   const double weight_u = pu * t.vv - pv * t.uv, weight_v = pv * t.uu - pu * t.uv;
-  if (weight_u > 0 && weight_v > 0 && weight_u + weight_v < determinant) {
-    return (to - (weight_u / determinant) * t.u - (weight_v / determinant) * t.v).squaredNorm();
-  }
+  const bool is_thin = t.is_thin();
   double least = kInfinity;
-  if (!(weight_v > 0)) least = (to - clamp_ratio(pu, t.uu) * t.u).squaredNorm();
-  if (!(weight_u > 0)) least = std::min(least, (to - clamp_ratio(pv, t.vv) * t.v).squaredNorm());
-  if (!(weight_u + weight_v < determinant)) {
+  if (weight_u > 0 && weight_v > 0 && weight_u + weight_v < determinant) {
+    least = (to - (weight_u / determinant) * t.u - (weight_v / determinant) * t.v).squaredNorm();
+    if (!is_thin) return least;
+  }
+  if (is_thin || !(weight_v > 0)) least = std::min(least, (to - clamp_ratio(pu, t.uu) * t.u).squaredNorm());
+  if (is_thin || !(weight_u > 0)) least = std::min(least, (to - clamp_ratio(pv, t.vv) * t.v).squaredNorm());
+  if (is_thin || !(weight_u + weight_v < determinant)) {
     const double along = clamp_ratio(pv - pu + t.uu - t.uv, t.uu - 2 * t.uv + t.vv);
     least = std::min(least, (to - t.u - along * (t.v - t.u)).squaredNorm());
   }
@@ -161,9 +288,9 @@ double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
 }
 
 /// The two children of an inner node with the squared distances of their boxes, the nearer child first.
-std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& query) const {
+std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& turned) const {
   const auto square = [&](std::int32_t child) {
-    return std::pair(square_distance_to_box(nodes_[child].box, query), child);
+    return std::pair(square_distance_to_box(nodes_[child].box, turned), child);
   };
   std::array<std::pair<double, std::int32_t>, 2> both{square(index + 1), square(nodes_[index].right)};
   if (both[1].first < both[0].first) std::swap(both[0], both[1]);
@@ -173,29 +300,29 @@ std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::i
 /// Looks for a better face below a node, in nearer boxes first. The distance of a NearestFace is squared here, and so
 /// is `enough`, which only counts for it.
 template <class Best>
-void ClosestPointTree::visit(std::int32_t index, const Vec3& query, double enough, Best& best) const {
+void ClosestPointTree::visit(std::int32_t index, const Place& at, double enough, Best& best) const {
   constexpr bool kDecides = std::is_same_v<Best, ClosestPoint>;
   const Node& node = nodes_[index];
   for (std::int32_t i = node.first; i < node.first + node.count; ++i) {
     if constexpr (kDecides) {
-      const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], query);
+      const ClosestPoint found = closest_point_on_face(*mesh_, faces_[i], at.query);
       if (std::tuple(found.distance, found.point.face) < std::tuple(best.distance, best.point.face)) best = found;
     } else {
-      const double square = square_distance(triangles_[i], query);
+      const double square = square_distance(triangles_[i], at.query);
       if (square < best.distance) best = {faces_[i], square};
     }
   }
   if (node.count > 0) return;
-  for (const auto& [near, child] : children(index, query)) {
+  for (const auto& [near, child] : children(index, at.turned)) {
     const bool may_hold = kDecides ? std::sqrt(near) <= best.distance * (1 + kPruneSlack)
                                    : near < best.distance && best.distance > enough;
-    if (may_hold) visit(child, query, enough, best);
+    if (may_hold) visit(child, at, enough, best);
   }
 }
 
 NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess, double enough) const {
   NearestFace best{guess, square_distance(triangle(guess), query)};
-  visit(0, query, enough * enough, best);
+  visit(0, {query, axes_ * query}, enough * enough, best);
   best.distance = std::sqrt(best.distance);
   return best;
 }
@@ -207,7 +334,7 @@ ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   if (query.allFinite() && !nodes_.empty()) {
     const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
     if (std::isfinite(guess.distance)) best = guess;
-    visit(0, query, 0, best);
+    visit(0, {query, axes_ * query}, 0, best);
   }
   if (!best.point.face.valid()) {
     throw Error(ErrorCode::precondition,

@@ -321,7 +321,7 @@ class DistanceMeasure {
  private:
   /// Walks from face to face as long as they get nearer. This crosses fans of needles, where the boxes of the tree are
   /// of no use.
-  FaceId walk(const Vec3& at, FaceId from) const {
+  NearestFace walk(const Vec3& at, FaceId from) const {
     NearestFace best{from, tree_.distance(at, from)};
     for (FaceId last; last != best.face && best.distance > rounding_;) {
       last = best.face;
@@ -332,7 +332,7 @@ class DistanceMeasure {
         }
       }
     }
-    return best.face;
+    return best;
   }
 
   Sample sample(const Vec3& at, FaceId guess) const {
@@ -446,10 +446,13 @@ class DistanceMeasure {
     cut_in_two(piece.corners[start], piece.corners[(start + 1) % 3], height, found);
   }
 
-  /// The middle of two corners.
+  /// The middle of two corners. If a face is found that is nearer than half of the largest distance, no nearer one is
+  /// looked for: pieces of that size round it are given up anyway.
   Sample middle(const Sample& a, const Sample& b, Findings& found) const {
     const Vec3 at = (a.position + b.position) / 2;
-    const Sample between = sample(at, walk(at, a.nearest));
+    const NearestFace near = walk(at, a.nearest);
+    if (near.distance <= found.farthest / 2) return {at, near.distance, near.face};
+    const Sample between = sample(at, near.face);
     found.farthest = std::max(found.farthest, between.distance);
     return between;
   }

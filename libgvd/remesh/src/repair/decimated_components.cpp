@@ -16,6 +16,7 @@
 #include "dual/order_in_space.hpp"
 #include "dual/placed_faces.hpp"
 #include "gvd/closest_point.hpp"
+#include "mesh/box_frame.hpp"
 #include "mesh/decimate_part.hpp"
 #include "mesh/submesh.hpp"
 
@@ -40,7 +41,8 @@ constexpr std::size_t kMostMoved = 64;
 /// near the face of the surface from which it was made.
 class FaceGuard {
  public:
-  FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface) {
+  FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces)
+      : surface_(surface), frame_(surface) {
     for (const DecimatedFace& face : faces) {
       origin_.push_back(face.origin);
       faces_.push_back(placed(face.corners));
@@ -50,7 +52,7 @@ class FaceGuard {
     std::vector<std::int32_t> order = order_in_space(middles);
     slot_.resize(order.size());
     for (std::size_t slot = 0; slot < order.size(); ++slot) slot_[order[slot]] = slot;
-    tree_.build(order.size(), [&](std::size_t slot) { return box(faces_[order[slot]].corners); });
+    tree_.build(order.size(), [&](std::size_t slot) { return frame_.box(faces_[order[slot]].corners); });
     face_at_ = std::move(order);
   }
 
@@ -88,17 +90,13 @@ class FaceGuard {
   void change(const std::vector<MovedFace>& moved, const std::vector<std::int32_t>& removed) {
     for (const MovedFace& face : moved) {
       faces_[face.place] = placed(face.corners);
-      tree_.move(slot_[face.place], box(faces_[face.place].corners));
+      tree_.move(slot_[face.place], frame_.box(faces_[face.place].corners));
     }
     for (const std::int32_t place : removed) tree_.remove(slot_[place]);
   }
 
  private:
   using Tree = BoxTreeOf<Box3>;
-
-  static Box3 box(const Triangle& t) {
-    return {t[0].cwiseMin(t[1]).cwiseMin(t[2]), t[0].cwiseMax(t[1]).cwiseMax(t[2])};
-  }
 
   PlacedFace placed(const std::array<VertexId, 3>& ids) const {
     return {ids, {surface_.position(ids[0]), surface_.position(ids[1]), surface_.position(ids[2])}};
@@ -107,7 +105,7 @@ class FaceGuard {
   /// Appends the places of the faces that a face meets, without the changed ones.
   template <class IsChanged>
   void list_met(const PlacedFace& face, const IsChanged& is_changed, std::vector<std::int32_t>& met) const {
-    const Box3 reach = box(face.corners);
+    const Box3 reach = frame_.box(face.corners);
     const auto overlaps = [&](const Box3& other) { return other.intersects(reach); };
     for (std::size_t slot = tree_.find(0, overlaps); slot != Tree::kNone; slot = tree_.find(slot + 1, overlaps)) {
       const std::int32_t place = face_at_[slot];
@@ -123,6 +121,7 @@ class FaceGuard {
   }
 
   const Mesh& surface_;
+  BoxFrame frame_;
   std::vector<FaceId> origin_;         // of each place
   std::vector<PlacedFace> faces_;      // as they are now, by place
   std::vector<std::int32_t> face_at_;  // the place of each slot of the tree
