@@ -234,7 +234,7 @@ TEST_CASE("balance: rates are the derivatives of the masses") {
   }
 }
 
-TEST_CASE("balance: shares, and what is shared, may differ; components keep their mass") {
+TEST_CASE("balance: shares, and what is shared, may differ, components keep their mass") {
   const Mesh mesh = test::make_two_components();
   std::vector<double> values;
   for (const Vec3& p : mesh.positions()) values.push_back(1.5 + 0.3 * p.y());

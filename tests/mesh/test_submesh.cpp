@@ -44,7 +44,7 @@ TEST_CASE("submesh: all faces are the whole mesh, corner by corner") {
   }
 }
 
-TEST_CASE("submesh: points go there and back by their faces; those of other faces do not") {
+TEST_CASE("submesh: points go there and back by their faces, those of other faces do not") {
   const Mesh grid = test::make_grid(3, 3);
   const Submesh part = make_submesh(grid, faces_with(grid, {2, 3, 7, 11}));
   for (const int f : {2, 3, 7, 11}) {

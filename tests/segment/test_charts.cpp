@@ -301,7 +301,7 @@ TEST_CASE("charts: corners of a region at one vertex have the same bits, if they
   }
 }
 
-TEST_CASE("charts: what is no disc can't be laid flat, and is named; its logarithms tear") {
+TEST_CASE("charts: what is no disc can't be laid flat, and is named, its logarithms tear") {
   const Mesh mesh = test::make_torus(24, 12);
   const auto generators = test::random_generators(mesh, 2, 1);
   try {

@@ -71,6 +71,41 @@ inline Mesh make_rounded_box() {
   return {std::move(positions), box.face_vertices()};
 }
 
+/// A closed cube of edge 1 whose edges and corners are cut off straight, `width` from where the edges would be.
+inline Mesh make_bevelled_cube(double width) {
+  // Corner k has the signs of its three bits, and a point on each of its three faces.
+  const auto point = [](int corner, int axis) { return 3 * corner + axis; };
+  std::vector<Vec3> positions;
+  for (int corner = 0; corner < 8; ++corner) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Vec3 p;
+      for (int i = 0; i < 3; ++i) p[i] = (corner >> i & 1 ? 1 : -1) * (i == axis ? 0.5 : 0.5 - width);
+      positions.push_back(p);
+    }
+  }
+  std::vector<std::array<VertexId, 3>> faces;
+  const auto add = [&](const std::vector<int>& polygon) {
+    const auto at = [&](int i) { return positions[polygon[i]]; };
+    const bool is_outward = (at(1) - at(0)).cross(at(2) - at(0)).dot(at(0)) > 0;
+    for (std::size_t i = 1; i + 1 < polygon.size(); ++i) {
+      const VertexId a(polygon[0]), b(polygon[i]), c(polygon[i + 1]);
+      faces.push_back(is_outward ? std::array{a, b, c} : std::array{a, c, b});
+    }
+  };
+  for (int corner = 0; corner < 8; ++corner) add({point(corner, 0), point(corner, 1), point(corner, 2)});
+  for (int axis = 0; axis < 3; ++axis) {
+    const int second = (axis + 1) % 3, third = (axis + 2) % 3, u = 1 << second, v = 1 << third;
+    for (const int side : {0, 1 << axis}) {
+      add({point(side, axis), point(side | u, axis), point(side | u | v, axis), point(side | v, axis)});
+    }
+    for (const int edge : {0, u, v, u | v}) {
+      const int far = edge | 1 << axis;
+      add({point(edge, second), point(edge, third), point(far, third), point(far, second)});
+    }
+  }
+  return {std::move(positions), std::move(faces)};
+}
+
 /// A flat square of 24 x 24 unit squares without 16 of them: 17 boundary loops.
 inline Mesh make_plane_with_holes() {
   const Mesh grid = make_grid(24, 24);

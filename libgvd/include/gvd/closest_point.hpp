@@ -39,7 +39,7 @@ struct NearestFace {
 /// their longest axis.
 ///
 /// The tree refers to the mesh, which must outlive it. Cost: O(n log n) to build, O(log n) for a query near the
-/// surface; 170 bytes a face, and at most five times that if all faces are needles.
+/// surface; 180 bytes a face, and at most five times that if all faces are needles.
 class ClosestPointTree {
  public:
   explicit ClosestPointTree(const Mesh& mesh);
@@ -65,10 +65,7 @@ class ClosestPointTree {
   struct Triangle {
     Vec3 origin, u, v;
     double uu = 0, uv = 0, vv = 0;
-
-    double determinant() const { return uu * vv - uv * uv; }
-    double square_sine() const;  ///< of the angle between the two sides
-    bool is_thin() const;        ///< whether the angle is so small that products of the sides are mostly rounding
+    double determinant = 0;  ///< uu vv - uv^2; its negative if that is mostly rounding
   };
   /// A query, also along the axes of the boxes.
   struct Place {
@@ -92,6 +89,7 @@ class ClosestPointTree {
   void visit(std::int32_t index, const Place& at, double enough, Best& best) const;
 
   const Mesh* mesh_;
+  bool is_turned_ = false;                ///< whether the axes differ from those of the coordinates
   Eigen::Matrix3d axes_;                  ///< that the boxes follow, as rows
   std::vector<FaceId> faces_;             ///< of the entries, in the order of the leaves; a needle has several
   std::vector<Triangle> triangles_;       ///< in the order of faces_

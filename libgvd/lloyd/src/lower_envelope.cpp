@@ -26,6 +26,7 @@ Bary zero_between(const Bary& a, double at_a, const Bary& b, double at_b) {
 }
 
 /// The number of functions that are compared with a part at a time, in a loop that compilers turn into vector code.
+/// Fewer functions than that are not worth it.
 constexpr std::size_t kBlock = 8;
 
 /// Two functions count as equal if their values differ by less than this, relative to the values: a thousand times
@@ -59,15 +60,16 @@ std::span<const EnvelopePart> LowerEnvelope::compute(const std::vector<std::arra
     if (count == parts_.size()) parts_.emplace_back();
     EnvelopePart& part = parts_[count];
     set_to_triangle(part, candidates_[own]);
-    for (std::size_t next = 0; part.corners.size() > 2; ++next) {
-      next = find_clipping(part, own, next);
-      if (next == candidates_.size()) break;
-      clip(values, part, candidates_[next]);
+    for (std::size_t next = 0; next < candidates_.size() && part.corners.size() > 2; ++next) {
+      if (are_many()) next = find_clipping(part, own, next);
+      if (next < candidates_.size() && next != own) clip(values, part, candidates_[next]);
     }
     if (part.corners.size() > 2) ++count;
   }
   return {parts_.data(), count};
 }
+
+bool LowerEnvelope::are_many() const { return candidates_.size() >= kBlock; }
 
 /// The first candidate, from number `from` on, that is not above the part's function everywhere on the part; their
 /// number if there is none. `own` is the number of the part's function.
@@ -103,7 +105,7 @@ void LowerEnvelope::list_candidates(const std::vector<Function>& values) {
     std::erase_if(candidates_, [&](std::size_t other) { return is_nowhere_less(values[other], values[f]); });
     candidates_.push_back(f);
   }
-  for (std::size_t i = 0; i < 3; ++i) {
+  for (std::size_t i = 0; i < 3 && are_many(); ++i) {
     candidate_values_[i].clear();
     for (const std::size_t f : candidates_) candidate_values_[i].push_back(values[f][i]);
   }

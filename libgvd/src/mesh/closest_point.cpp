@@ -36,8 +36,8 @@ constexpr std::int32_t kLeafFaces = 4;
 constexpr double kPruneSlack = 1e-12;
 
 /// The quick distance divides by the squared sine of the angle at a triangle's origin. If that is smaller than this,
-/// the origin is the corner with the largest sine, and the distances from all sides count, too. In other triangles the
-/// foot has a relative rounding of at most 1e-9. Dimensionless.
+/// the origin is the corner with the largest sine, and where that is no larger, the distances from all sides count, too.
+/// In other triangles the foot has a relative rounding of at most 1e-9. Dimensionless.
 constexpr double kLeastSquareSine = 1e-6;
 
 struct ClosestOnFace {
@@ -167,7 +167,7 @@ class ClosestPointTree::Entries {
     for (const FaceId f : mesh.faces()) add(f, least_length);
   }
 
-  const Eigen::Matrix3d& axes() const { return frame_.axes(); }
+  const BoxFrame& frame() const { return frame_; }
   std::vector<Entry>& order() { return order_; }
 
   Eigen::AlignedBox3d box(const Entry& entry) const {
@@ -213,7 +213,8 @@ class ClosestPointTree::Entries {
 
 ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
   Entries entries(mesh);
-  axes_ = entries.axes();
+  is_turned_ = entries.frame().is_turned();
+  axes_ = entries.frame().axes();
   const auto count = std::int32_t(entries.order().size());
   if (count > 0) build(0, count, entries);
   place_.resize(std::size_t(mesh.face_count()));
@@ -227,15 +228,17 @@ ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
 
 ClosestPointTree::Triangle ClosestPointTree::make_triangle(FaceId f) const {
   const auto& vertices = mesh_->vertices(f);
-  const auto from_corner = [&](std::size_t k) -> Triangle {
+  Triangle best;
+  double largest = 0;  // squared sine so far
+  for (std::size_t k = 0; k < 3 && !(largest > kLeastSquareSine); ++k) {
     const Vec3& origin = mesh_->position(vertices[k]);
     const Vec3 u = mesh_->position(vertices[(k + 1) % 3]) - origin, v = mesh_->position(vertices[(k + 2) % 3]) - origin;
-    return {origin, u, v, u.squaredNorm(), u.dot(v), v.squaredNorm()};
-  };
-  Triangle best = from_corner(0);
-  for (std::size_t k = 1; k < 3 && best.is_thin(); ++k) {
-    const Triangle other = from_corner(k);
-    if (other.square_sine() > best.square_sine()) best = other;
+    const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), determinant = uu * vv - uv * uv;
+    const double square_sine = determinant > 0 ? determinant / (uu * vv) : 0;
+    if (k > 0 && !(square_sine > largest)) continue;
+    const bool is_thin = !(square_sine > kLeastSquareSine);
+    best = {origin, u, v, uu, uv, vv, is_thin ? -determinant : determinant};
+    largest = square_sine;
   }
   return best;
 }
@@ -259,30 +262,25 @@ void ClosestPointTree::build(std::int32_t first, std::int32_t count, Entries& en
   build(first + count / 2, count - count / 2, entries);
 }
 
-bool ClosestPointTree::Triangle::is_thin() const { return !(determinant() > kLeastSquareSine * uu * vv); }
-
-/// Of a triangle without area, or with sides whose squares overflow, it is 0.
-double ClosestPointTree::Triangle::square_sine() const {
-  const double square = determinant() / (uu * vv);
-  return square > 0 ? square : 0;
-}
-
 double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   const Vec3 to = query - t.origin;
   const double pu = t.u.dot(to), pv = t.v.dot(to);
-  const double determinant = t.determinant();
   const double weight_u = pu * t.vv - pv * t.uv, weight_v = pv * t.uu - pu * t.uv;
-  const bool is_thin = t.is_thin();
+  const auto inside = [&](double determinant) {
+    return (to - (weight_u / determinant) * t.u - (weight_v / determinant) * t.v).squaredNorm();
+  };
+  const auto beside = [&](double along, const Vec3& side) { return (to - along * side).squaredNorm(); };
+  if (weight_u > 0 && weight_v > 0 && weight_u + weight_v < t.determinant) return inside(t.determinant);
+  const bool is_thin = t.determinant <= 0;
   double least = kInfinity;
-  if (weight_u > 0 && weight_v > 0 && weight_u + weight_v < determinant) {
-    least = (to - (weight_u / determinant) * t.u - (weight_v / determinant) * t.v).squaredNorm();
-    if (!is_thin) return least;
-  }
-  if (is_thin || !(weight_v > 0)) least = std::min(least, (to - clamp_ratio(pu, t.uu) * t.u).squaredNorm());
-  if (is_thin || !(weight_u > 0)) least = std::min(least, (to - clamp_ratio(pv, t.vv) * t.v).squaredNorm());
-  if (is_thin || !(weight_u + weight_v < determinant)) {
+  if (is_thin || !(weight_v > 0)) least = beside(clamp_ratio(pu, t.uu), t.u);
+  if (is_thin || !(weight_u > 0)) least = std::min(least, beside(clamp_ratio(pv, t.vv), t.v));
+  if (!(weight_u + weight_v < t.determinant)) {
     const double along = clamp_ratio(pv - pu + t.uu - t.uv, t.uu - 2 * t.uv + t.vv);
     least = std::min(least, (to - t.u - along * (t.v - t.u)).squaredNorm());
+  }
+  if (is_thin && weight_u > 0 && weight_v > 0 && weight_u + weight_v < -t.determinant) {
+    least = std::min(least, inside(-t.determinant));
   }
   return least;
 }
@@ -322,7 +320,7 @@ void ClosestPointTree::visit(std::int32_t index, const Place& at, double enough,
 
 NearestFace ClosestPointTree::nearest_face(const Vec3& query, FaceId guess, double enough) const {
   NearestFace best{guess, square_distance(triangle(guess), query)};
-  visit(0, {query, axes_ * query}, enough * enough, best);
+  visit(0, {query, is_turned_ ? Vec3(axes_ * query) : query}, enough * enough, best);
   best.distance = std::sqrt(best.distance);
   return best;
 }
@@ -334,7 +332,7 @@ ClosestPoint ClosestPointTree::query(const Vec3& query) const {
   if (query.allFinite() && !nodes_.empty()) {
     const ClosestPoint guess = closest_point_on_face(*mesh_, nearest_face(query).face, query);
     if (std::isfinite(guess.distance)) best = guess;
-    visit(0, {query, axes_ * query}, 0, best);
+    visit(0, {query, is_turned_ ? Vec3(axes_ * query) : query}, 0, best);
   }
   if (!best.point.face.valid()) {
     throw Error(ErrorCode::precondition,

@@ -96,7 +96,7 @@ TEST_CASE("each file is written in its format, a command's own format before the
   CHECK(quiet.report()["timings_ms"].contains("write"));
 }
 
-TEST_CASE("an output without curves leaves out what a diagram adds; an ASCII PLY is text") {
+TEST_CASE("an output without curves leaves out what a diagram adds, an ASCII PLY is text") {
   const ScratchFolder scratch;
   const Diagram diagram = compute_diagram(kGrid, {vertex_point(kGrid, VertexId(0)), vertex_point(kGrid, VertexId(8))});
   LabelledMesh mesh{kGrid};

@@ -151,7 +151,7 @@ TEST_CASE("a new diagram drops the measured error, and a new time replaces the o
   CHECK(json["timings_ms"].size() == 2);
 }
 
-TEST_CASE("numbers that are not finite are null; bytes that are no UTF-8 are replaced") {
+TEST_CASE("numbers that are not finite are null, bytes that are no UTF-8 are replaced") {
   RunReport report("a\xff", 0);
   report.set_diagram(make_diagram());
   report.set_error_measure({0, 0, std::numeric_limits<double>::infinity(), 0});

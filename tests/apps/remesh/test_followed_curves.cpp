@@ -139,6 +139,24 @@ TEST_CASE("gvd-remesh: rounded edges are creases for an angle where the generato
   CHECK(pillow.run("-n 150").followed() == 0);
 }
 
+TEST_CASE("gvd-remesh: narrow bevels are creases by default, and wide ones are not") {
+  const auto rms = [](const Outcome& outcome) -> double {
+    return outcome.report["results"]["distance"]["output_to_input"]["rms"];
+  };
+  const auto q = [](const Outcome& outcome) -> double {
+    return outcome.report["results"]["quality"]["output"]["q_average"];
+  };
+  for (const double width : {0.002, 0.005}) {  // the spacing of 300 vertices is .15
+    CAPTURE(width);
+    const Remesher cube(make_bevelled_cube(width));
+    const Outcome followed = cube.run("-n 300"), smooth = cube.run("-n 300 --features none");
+    CHECK(followed.followed() == Approx(12).epsilon(0.01));
+    CHECK(rms(followed) < 0.8 * rms(smooth));
+    CHECK(q(followed) > q(smooth) - 0.02);
+  }
+  CHECK(Remesher(make_bevelled_cube(0.02)).run("-n 300").followed() == 0);
+}
+
 TEST_CASE("gvd-remesh: holes take no more than their share of the generators, and a note says which -n suffices") {
   const Remesher plane(make_plane_with_holes());
   const Outcome few = plane.run("-n 60");

@@ -105,6 +105,33 @@ TEST_CASE("gvd-remesh: the ends of limbs have vertices, and the mesh is about as
   }
 }
 
+TEST_CASE("gvd-remesh: with few vertices, good triangles don't cost much of the distance") {
+  // A flat body: each of 20 triangles spans much of it. Without a lower price of Q, its RMS would be 2.5 times as large.
+  const ScratchFolder scratch;
+  const std::string flat = scratch / "flat.obj";
+  write_simple_obj(flat, stretched(make_sphere(4), {1, 0.5, 0.1}));
+  const auto rms = [&](const std::string& shape) -> double {
+    const auto distance = report_of(flat + " -n 20 --shape " + shape)["results"]["distance"];
+    return std::max(double(distance["input_to_output"]["rms"]), double(distance["output_to_input"]["rms"]));
+  };
+  CHECK(rms("0.5") < 2.1 * rms("0"));
+}
+
+TEST_CASE("gvd-remesh: a search for fewer vertices that ends at its limit says so") {
+  const ScratchFolder scratch;
+  const std::string torus = scratch / "torus.obj", report = scratch / "report.json";
+  write_simple_obj(torus, make_torus(48, 24));
+  int ended = 0;
+  for (const int seed : {1, 2, 3}) {
+    const std::string err = run_remesh(
+        fmt::format("{} -n 3 --sampling random --seed {} --relax none --report {}", torus, seed, report));
+    const bool is_said = err.find("the search for fewer vertices ended at its limit") != std::string::npos;
+    CHECK(nlohmann::json::parse(read_text(report))["results"]["search_cut_short"] == is_said);
+    ended += is_said;
+  }
+  CHECK(ended > 0);
+}
+
 TEST_CASE("gvd-remesh: no thin triangles at creases") {
   const ScratchFolder scratch;
   write_simple_obj(scratch / "box.obj", make_domed_box());

@@ -70,7 +70,7 @@ TEST_CASE("a search that failed is not repeated until it is cleared") {
   CHECK(face.search.find_confirmed(face.polygon));
 }
 
-TEST_CASE("a guess outside of the face is searched again from the corners; one inside is kept") {
+TEST_CASE("a guess outside of the face is searched again from the corners, one inside is kept") {
   ThreeCells face;
   CHECK(face.search.guess(face.polygon, 0, {0.3, 0.3, 0.4}) == face.distances.equal);
   CHECK(face.distances.searches == 1);

@@ -277,7 +277,7 @@ FacePolygon polygon_of(const std::vector<int>& labels) {
   return test::polygon_of(test::boundary_of(positions));
 }
 
-TEST_CASE("pairs cross where their ends alternate; nested, disjoint and touching pairs do not") {
+TEST_CASE("pairs cross where their ends alternate, nested, disjoint and touching pairs do not") {
   const IntervalPair pair{0, 2, 6};
   CHECK(pair.crosses({0, 0, 4}));
   CHECK(pair.crosses({0, 3, 7}));

@@ -32,7 +32,7 @@ TEST_CASE("no arc, one segment and two consecutive segments have no intersection
   CHECK(intersections_of({{{0, 0}, {1, 1}, {0.5, 0.2}}}).empty());
 }
 
-TEST_CASE("arcs that cross intersect, also one with itself; arcs with a common end do not") {
+TEST_CASE("arcs that cross intersect, also one with itself, arcs with a common end do not") {
   CHECK(intersections_of({{{0, 0}, {1, 1}}, {{0, 1}, {1, 0}}}) == Pairs{{0, 1}});
   CHECK(intersections_of({{{0, 0}, {1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {0, 1}}}).empty());
   CHECK(intersections_of({{{0, 0}, {1, 0}, {1, 1}, {0.5, -1}}}) == Pairs{{0, 0}});
@@ -44,7 +44,7 @@ TEST_CASE("an arc that ends on another one, or overlaps it, intersects it") {
   CHECK(intersections_of({{{0, 0}, {1, 0}}, {{1.5, 0}, {2, 0}}}).empty());
 }
 
-TEST_CASE("an intersection that rounding leaves open is found; one beyond rounding is not") {
+TEST_CASE("an intersection that rounding leaves open is found, one beyond rounding is not") {
   const double third = 1.0 / 3;
   const auto touching = [&](double above) {
     return intersections_of({{{0, 0}, {1, third}}, {{0.3, 0.3 * third + above}, {0.2, 1}}});

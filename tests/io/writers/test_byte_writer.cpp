@@ -124,7 +124,7 @@ std::string array_of(const std::vector<int>& items) {
   return printed([&](io::ByteWriter& out) { io::print_array(out, items, [&](int i) { out.print("{}", i); }); });
 }
 
-TEST_CASE("a number has its shortest digits; infinity and NaN are null") {
+TEST_CASE("a number has its shortest digits, infinity and NaN are null") {
   using Double = std::numeric_limits<double>;
   CHECK(io::json_number(0.1) == "0.1");
   CHECK(io::json_number(3) == "3");

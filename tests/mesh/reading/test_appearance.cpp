@@ -78,7 +78,7 @@ std::string with_face_list(const std::string& name, const std::string& faces) {
          name + "\nend_header\n0 0 0\n1 0 0\n0 1 0\n" + faces;
 }
 
-TEST_CASE("appearance: a PLY's lists keep their lengths; texcoord is the texture and no property") {
+TEST_CASE("appearance: a PLY's lists keep their lengths, texcoord is the texture and no property") {
   const std::string weights = with_face_list("weights", "3 0 1 2 0\n3 0 2 1 2 0.5 -1\n");
   const auto properties = parse_mesh_properties(weights, MeshFormat::ply, "mesh");
   REQUIRE(properties.size() == 1);

@@ -123,7 +123,7 @@ TEST_CASE("gltf buffers: a file that is missing, or is none, is refused") {
   CHECK_THAT(at.refused("pipe"), Catch::Matchers::Contains("is not a file"));
 }
 
-TEST_CASE("gltf buffers: data URIs are Base64; without a folder there is nothing else") {
+TEST_CASE("gltf buffers: data URIs are Base64, without a folder there is nothing else") {
   const auto refused = [](const std::string& uri, const std::string& part) {
     INFO(uri);
     require_refused(gltf_of(glb_description(2), uri), MeshFormat::gltf, part);

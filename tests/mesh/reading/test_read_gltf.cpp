@@ -44,7 +44,7 @@ TEST_CASE("glb: a mesh in two nodes comes twice, and a mirror turns its triangle
   CHECK(compute_mesh_summary(build_mesh(soup).mesh).components == 2);
 }
 
-TEST_CASE("glb: strips and fans become triangles; points and lines are left out") {
+TEST_CASE("glb: strips and fans become triangles, points and lines are left out") {
   const auto with_mode = [](int mode) {
     return replaced(glb_description(1), "\"indices\":1", "\"mode\":" + std::to_string(mode));
   };
@@ -56,7 +56,7 @@ TEST_CASE("glb: strips and fans become triangles; points and lines are left out"
   CHECK(soup.notes == std::vector<std::string>{"1 list of points or lines is left out"});
 }
 
-TEST_CASE("glb: a scene chooses its nodes; without scenes all are roots") {
+TEST_CASE("glb: a scene chooses its nodes, without scenes all are roots") {
   const std::string unscened = replaced(glb_description(1), R"("scenes":[{"nodes":[0]}],)", "");
   require_tetrahedron(parse(unscened));
   require_tetrahedron(parse(replaced(unscened, R"("nodes":[{"mesh":0}],)", "")));

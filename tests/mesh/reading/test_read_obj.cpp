@@ -115,7 +115,7 @@ TEST_CASE("OBJ colours: numbers that rounding moved out of their range neither c
   CHECK(colors_of("v 0 0 0 1 0.5 -0.01\n").empty());
 }
 
-TEST_CASE("OBJ colours: a vertex without one is white; continued lines and comments count as for faces") {
+TEST_CASE("OBJ colours: a vertex without one is white, continued lines and comments count as for faces") {
   CHECK(colors_of("v 0 0 0 # 1 1 1\nv 1 0 0 0 \\\n 0 0 # black\n") == Rows{{255, 0}, {255, 0}, {255, 0}});
   CHECK(colors_of("v 0 0 0 1\nv 1 0 0 0 0 0\n") == Rows{{255, 0}, {255, 0}, {255, 0}});
 }

@@ -42,7 +42,7 @@ TEST_CASE("work polygons: corners that belong to no polygon yet change none, and
   CHECK(work.polygon(2).empty());
 }
 
-TEST_CASE("pair_halfedges: the two of an edge, whatever their direction; none on the boundary") {
+TEST_CASE("pair_halfedges: the two of an edge, whatever their direction, none on the boundary") {
   WorkFaces work;
   work.faces = {{0, 1, 2}, {1, 0, 3}, {1, 2, 4}};
   const EdgeTable nonmanifold_edges = pair_halfedges(work, 5);
