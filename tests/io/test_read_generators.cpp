@@ -126,7 +126,7 @@ TEST_CASE("the vertices of a PLY are points in faces where it has them, else pos
 }
 
 TEST_CASE(
-    "the first three numbers of a line of XYZ are a position, whole or not; text takes a position with a normal") {
+    "the first three numbers of a line of XYZ are a position, whole or not, text takes a position with a normal") {
   const auto xyz = parse_generators("1 2 3\n4 5 6 0 0 1 255 red\n", GeneratorFormat::xyz, "list").entries;
   REQUIRE(xyz.size() == 2);
   CHECK(xyz[0].kind == GeneratorEntry::Kind::position);

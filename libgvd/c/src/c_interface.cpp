@@ -221,7 +221,10 @@ gvd_status gvd_point_at_vertex(const gvd_mesh* mesh, int64_t vertex, gvd_point* 
                                                std::to_string(std::ssize(checked.mesh_vertex) - 1));
     }
     const VertexId v = checked.mesh_vertex[std::size_t(vertex)];
-    if (!v.valid()) throw Error(ErrorCode::precondition, "vertex " + std::to_string(vertex) + " is in no face");
+    if (!v.valid()) {
+      throw Error(ErrorCode::precondition,
+                  "vertex " + std::to_string(vertex) + " is in no face, or in a component that was dropped");
+    }
     given(point, "point") = to_c(vertex_point(checked.mesh, v));
   });
 }

@@ -32,7 +32,7 @@ enum class DefectKind {
   nonmanifold_edges,         ///< three or more faces: cut apart
   nonmanifold_vertices,      ///< several fans of faces, at a vertex on no non-manifold edge: cut apart
   unused_vertices,           ///< in no face: removed
-  dropped_components,        ///< all but the largest, under DefectPolicy::largest; this is not a defect of the file
+  dropped_components,        ///< those that the caller did not want, all but the largest or small ones: left out
   one_sided_edges,           ///< few edges that make a component one-sided: cut, the surface is open along them
   zero_area_components,      ///< components of faces without area: removed
 };

@@ -108,7 +108,7 @@ Vec3 glb_translation(const Mesh& mesh);
 /// The largest coordinate relative to `origin`, without sign. Cost: O(n).
 double largest_local_coordinate(const Mesh& mesh, const Vec3& origin);
 
-/// Whether texture coordinates fit into 32-bit floats, which PLY and GLB use for them.
+/// Whether texture coordinates fit into 32-bit floats, which GLB uses for them, and PLY where they suffice.
 inline bool fits_floats(const Uv& uv) {
   const auto fits = [](double x) { return std::abs(x) <= double(std::numeric_limits<float>::max()); };
   return fits(uv[0]) && fits(uv[1]);

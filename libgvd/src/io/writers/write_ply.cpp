@@ -5,7 +5,7 @@
 // properties of faces only from text; in a binary file it assumes that the lists of all faces are contiguous.
 // Source: G. Turk, The PLY polygon file format, 1994. Integers of further properties are rounded and clamped to their
 // types; distances are floats unless a float would turn one into infinity or 0, and texture coordinates unless floats
-// would turn a face round in the texture: not all programs read doubles.
+// would turn a face round in the texture, or one is beyond them: not all programs read doubles.
 // Invariant: the header and the rows list the same properties in the same order.
 #include <algorithm>
 #include <array>
@@ -46,12 +46,16 @@ bool do_floats_flip(const Uv* corners) {
   return exact != 0 && side([](double x) { return double(float(x)); }) != exact;
 }
 
-/// The type of texture coordinates. Corners without any, and beyond floats, have no voice.
+/// Whether a corner has texture coordinates.
+bool is_known(const Uv& uv) { return std::isfinite(uv[0]) && std::isfinite(uv[1]); }
+
+/// The type of texture coordinates. Corners without any have no voice.
 NumberType texture_type(const LabelledMesh& mesh) {
   const std::vector<Uv>& texture = mesh.appearance->texture;
   for (std::size_t i = 0; i < texture.size(); i += 3) {
     const Uv* corners = texture.data() + i;
-    if (std::all_of(corners, corners + 3, fits_floats) && do_floats_flip(corners)) return NumberType::float64;
+    if (!std::all_of(corners, corners + 3, is_known)) continue;
+    if (!std::all_of(corners, corners + 3, fits_floats) || do_floats_flip(corners)) return NumberType::float64;
   }
   return NumberType::float32;
 }
@@ -108,12 +112,12 @@ std::optional<std::vector<MeshProperty>> list_with_texture(const LabelledMesh& m
   const std::size_t count = mesh.mesh.positions().size();
   std::array<MeshProperty, 2> pair{
       {{"s", type, true, std::vector<double>(count)}, {"t", type, true, std::vector<double>(count)}}};
-  std::vector<char> is_known(count, 0);
+  std::vector<char> is_seen(count, 0);
   for (const HalfedgeId h : mesh.mesh.halfedges()) {
     const Uv& uv = mesh.appearance->texture[h.index()];
     const std::size_t v = mesh.mesh.from(h).index();
-    if (!fits_floats(uv) || (is_known[v] != 0 && Uv{pair[0].values[v], pair[1].values[v]} != uv)) return std::nullopt;
-    is_known[v] = 1;
+    if (!is_known(uv) || (is_seen[v] != 0 && Uv{pair[0].values[v], pair[1].values[v]} != uv)) return std::nullopt;
+    is_seen[v] = 1;
     for (std::size_t k = 0; k < 2; ++k) pair[k].values[v] = uv[k];
   }
   std::vector<MeshProperty> all = mesh.properties != nullptr ? *mesh.properties : std::vector<MeshProperty>();
@@ -169,9 +173,9 @@ class Rows {
     for (std::size_t k = first; k < last; ++k) put_number(property.type, property.values[k]);
   }
 
-  /// Writes the texture coordinates of a face's corners, or an empty list if one of them does not fit into floats.
+  /// Writes the texture coordinates of a face's corners, or an empty list if one of them has none.
   void put_texture(const Uv* corners, NumberType type) {
-    const bool has = std::all_of(corners, corners + 3, fits_floats);
+    const bool has = std::all_of(corners, corners + 3, is_known);
     put(std::uint8_t(has ? 6 : 0));
     for (int i = 0; has && i < 3; ++i) {
       for (const double number : corners[i]) put_number(type, number);
