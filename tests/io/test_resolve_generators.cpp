@@ -24,9 +24,8 @@ TEST_CASE("vertices are those of the input file") {
   const auto message = [&](const std::string& text) {
     return refusal([&] { resolve_generators(mesh, parse(text), options); }, ErrorCode::precondition);
   };
-  CHECK(
-      message("1\n0\n") ==
-      "list:2: vertex 0 is in no face of the mesh, or in a component that was dropped; choose another");
+  CHECK(message("1\n0\n") ==
+        "list:2: vertex 0 is in no face of the mesh, or in a component that was dropped; choose another");
   CHECK(message("3\n") == "list:1: there is no vertex 3; the mesh has 3, numbered from 0");
   CHECK(message("8 1 0 0\n") == "list:1: there is no face 8; the mesh has 8, numbered from 0");
   for (const auto kind : {Kind::vertex, Kind::face}) {

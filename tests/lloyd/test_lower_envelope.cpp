@@ -1,11 +1,10 @@
 // The lower envelope of functions over a triangle: its parts cover the triangle, and each has the least function.
-#include "lower_envelope.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
 
+#include "lower_envelope.hpp"
 #include "support/catch.hpp"
 #include "support/random.hpp"
 

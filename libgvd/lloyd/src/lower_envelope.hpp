@@ -37,11 +37,11 @@ class LowerEnvelope {
   std::size_t find_clipping(const EnvelopePart& part, std::size_t own, std::size_t from) const;
   void clip(const std::vector<Function>& values, EnvelopePart& part, std::size_t other);
 
-  std::vector<std::size_t> candidates_;  // functions that no other function is below everywhere
+  std::vector<std::size_t> candidates_;                  // functions that no other function is below everywhere
   std::array<std::vector<double>, 3> candidate_values_;  // at each corner, if there are many
-  std::vector<EnvelopePart> parts_;      // the parts in use come first
-  EnvelopePart rest_;                    // the rest of the part after a cut
-  std::vector<double> excess_;           // the other function minus the part's, at the part's corners
+  std::vector<EnvelopePart> parts_;                      // the parts in use come first
+  EnvelopePart rest_;                                    // the rest of the part after a cut
+  std::vector<double> excess_;                           // the other function minus the part's, at the part's corners
 };
 
 }  // namespace gvd

@@ -163,9 +163,8 @@ class Resolver {
       refuse(fmt::format("there is no vertex {}; the mesh has {}, numbered from 0", index, count));
     const VertexId v = map ? (*map)[index] : VertexId(index);
     if (!v.valid())
-      refuse(fmt::format(
-          "vertex {} is in no face of the mesh, or in a component that was dropped; choose another",
-          index));
+      refuse(fmt::format("vertex {} is in no face of the mesh, or in a component that was dropped; choose another",
+                         index));
     return vertex_point(mesh_, v);
   }
 

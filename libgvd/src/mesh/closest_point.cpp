@@ -36,8 +36,8 @@ constexpr std::int32_t kLeafFaces = 4;
 constexpr double kPruneSlack = 1e-12;
 
 /// The quick distance divides by the squared sine of the angle at a triangle's origin. If that is smaller than this,
-/// the origin is the corner with the largest sine, and where that is no larger, the distances from all sides count, too.
-/// In other triangles the foot has a relative rounding of at most 1e-9. Dimensionless.
+/// the origin is the corner with the largest sine, and where that is no larger, the distances from all sides count,
+/// too. In other triangles the foot has a relative rounding of at most 1e-9. Dimensionless.
 constexpr double kLeastSquareSine = 1e-6;
 
 struct ClosestOnFace {
@@ -207,8 +207,8 @@ class ClosestPointTree::Entries {
   const Mesh& mesh_;
   BoxFrame frame_;
   std::vector<Entry> order_;
-  IdVector<FaceId, Vec3> centres_;            // three times those of the faces
-  std::vector<Eigen::AlignedBox3d> boxes_;    // of the slices
+  IdVector<FaceId, Vec3> centres_;          // three times those of the faces
+  std::vector<Eigen::AlignedBox3d> boxes_;  // of the slices
 };
 
 ClosestPointTree::ClosestPointTree(const Mesh& mesh) : mesh_(&mesh) {
@@ -286,7 +286,8 @@ double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
 }
 
 /// The two children of an inner node with the squared distances of their boxes, the nearer child first.
-std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index, const Vec3& turned) const {
+std::array<std::pair<double, std::int32_t>, 2> ClosestPointTree::children(std::int32_t index,
+                                                                          const Vec3& turned) const {
   const auto square = [&](std::int32_t child) {
     return std::pair(square_distance_to_box(nodes_[child].box, turned), child);
   };

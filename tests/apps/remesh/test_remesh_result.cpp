@@ -106,7 +106,8 @@ TEST_CASE("gvd-remesh: the ends of limbs have vertices, and the mesh is about as
 }
 
 TEST_CASE("gvd-remesh: with few vertices, good triangles don't cost much of the distance") {
-  // A flat body: each of 20 triangles spans much of it. Without a lower price of Q, its RMS would be 2.5 times as large.
+  // A flat body: each of 20 triangles spans much of it. Without a lower price of Q, its RMS would be 2.5 times as
+  // large.
   const ScratchFolder scratch;
   const std::string flat = scratch / "flat.obj";
   write_simple_obj(flat, stretched(make_sphere(4), {1, 0.5, 0.1}));
@@ -123,8 +124,8 @@ TEST_CASE("gvd-remesh: a search for fewer vertices that ends at its limit says s
   write_simple_obj(torus, make_torus(48, 24));
   int ended = 0;
   for (const int seed : {1, 2, 3}) {
-    const std::string err = run_remesh(
-        fmt::format("{} -n 3 --sampling random --seed {} --relax none --report {}", torus, seed, report));
+    const std::string err =
+        run_remesh(fmt::format("{} -n 3 --sampling random --seed {} --relax none --report {}", torus, seed, report));
     const bool is_said = err.find("the search for fewer vertices ended at its limit") != std::string::npos;
     CHECK(nlohmann::json::parse(read_text(report))["results"]["search_cut_short"] == is_said);
     ended += is_said;

@@ -41,8 +41,7 @@ constexpr std::size_t kMostMoved = 64;
 /// near the face of the surface from which it was made.
 class FaceGuard {
  public:
-  FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces)
-      : surface_(surface), frame_(surface) {
+  FaceGuard(const Mesh& surface, const std::vector<DecimatedFace>& faces) : surface_(surface), frame_(surface) {
     for (const DecimatedFace& face : faces) {
       origin_.push_back(face.origin);
       faces_.push_back(placed(face.corners));
