@@ -62,12 +62,15 @@ void Expansion::add(double value) {
   if (carry != 0) components_.push_back(carry);
 }
 
+// Coordinates that were floats or have few digits have differences without an error, so that most factors are 0.
 void Expansion::add_product(const std::array<double, 2>& a, const std::array<double, 2>& b,
                             const std::array<double, 2>& c) {
   for (const double x : a) {
     for (const double y : b) {
+      if (x == 0 || y == 0) continue;
       for (const double xy : exact_product(x, y)) {
         for (const double z : c) {
+          if (xy == 0 || z == 0) continue;
           for (const double part : exact_product(xy, z)) add(part);
         }
       }
