@@ -86,6 +86,38 @@ TEST_CASE("closest point: as a search through all faces among needles, along the
   }
 }
 
+TEST_CASE("closest point: a corner that the rounding of a needle's foot puts at the end of its longest side is found") {
+  // The short side is 5e-9 of the long ones, whose squares are equal in doubles. Other faces are at other heights.
+  std::vector<Vec3> positions{{0, 0, 0}, {1000, 0, 0}, {1000, 5e-6, 0}};
+  std::vector<std::array<int, 3>> faces{{0, 1, 2}};
+  for (const double height : {9e-6, 20.0, 30.0, 40.0, 50.0, 60.0}) {
+    const int first = int(positions.size());
+    for (const double x : {0.0, 1000.0, 500.0}) positions.emplace_back(x, height, x == 500 ? 400 : 0);
+    faces.push_back({first, first + 1, first + 2});
+  }
+  const Mesh mesh = test::make_mesh(positions, faces);
+  const ClosestPoint found = ClosestPointTree(mesh).query({1000, 6e-6, 0});
+  CHECK(found.point.face == FaceId(0));
+  CHECK(found.distance == Approx(1e-6));
+}
+
+TEST_CASE("the quick distance from a cap is that of its closest point, however flat the cap is") {
+  test::Random random(3);
+  for (double height = 1; height > 1e-9; height /= 10) {
+    CAPTURE(height);
+    const Mesh cap = test::make_mesh({{0, 0, 0}, {40, 0, 0}, {17.3, 0.6 * height, 0.8 * height}}, {{0, 1, 2}});
+    const ClosestPointTree tree(cap);
+    for (int round = 0; round < 50; ++round) {
+      const double a = random.real(0, 1), b = random.real(0, 1 - a);
+      const Vec3 on = position(cap, {FaceId(0), {a, b, 1 - a - b}});
+      for (const double away : {0.0, 1e-3, 1.0}) {
+        const Vec3 query = on + away * Vec3(0, -0.8, 0.6);
+        REQUIRE(tree.distance(query, FaceId(0)) == Approx(away).epsilon(1e-9).margin(1e-10));
+      }
+    }
+  }
+}
+
 TEST_CASE("closest point: a point of the surface is found where it is") {
   const Mesh mesh = test::make_bumpy_sphere(2, 3);
   const ClosestPointTree tree(mesh);

@@ -39,7 +39,7 @@ struct NearestFace {
 /// their longest axis.
 ///
 /// The tree refers to the mesh, which must outlive it. Cost: O(n log n) to build, O(log n) for a query near the
-/// surface; 180 bytes a face, and at most five times that if all faces are needles.
+/// surface; 180 bytes a face or slice of a needle, of which there are at most five times as many as faces.
 class ClosestPointTree {
  public:
   explicit ClosestPointTree(const Mesh& mesh);
@@ -65,7 +65,7 @@ class ClosestPointTree {
   struct Triangle {
     Vec3 origin, u, v;
     double uu = 0, uv = 0, vv = 0;
-    double determinant = 0;  ///< uu vv - uv^2; its negative if that is mostly rounding
+    double determinant = 0;  ///< uu vv - uv^2; 0 for a thin triangle, where that is mostly rounding
   };
   /// A query, also along the axes of the boxes.
   struct Place {

@@ -15,7 +15,6 @@
 #include <array>
 #include <limits>
 #include <map>
-#include <numbers>
 #include <set>
 #include <utility>
 
@@ -94,21 +93,6 @@ void check_options(const RemeshOptions& options, std::size_t generators) {
     throw Error(ErrorCode::invalid_option, "max_added must not be negative", *options.max_added);
   }
   check_placement(options.placement, generators);
-}
-
-std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
-  const Vec3& at = mesh.position(narrow.tip);
-  const std::string advice =
-      narrow.least_distance < mesh.bbox_diagonal()
-          ? fmt::format(
-                "no generator may be nearer to it than {:.3g}; choose others, by another list, \1count\2 or "
-                "\1seed\2",
-                narrow.least_distance)
-          : "cut the surface off there";
-  return fmt::format(
-      "the total angle of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is {:.3g} degrees, and three generators "
-      "round it would be too close to each other; {}",
-      narrow.tip.value(), at.x(), at.y(), at.z(), narrow.angle * 180 / std::numbers::pi, advice);
 }
 
 std::string others(std::size_t count) {
@@ -312,17 +296,25 @@ class Remesher {
     // Triangles that intersect are looked for only if nothing else is wrong, so their number says nothing about growth.
     const bool is_topology = defects.front().property < DualProperty::not_flipped;
     const std::size_t generators = result_.generators.size();
-    const bool is_everywhere =
-        is_topology && 2 * defects.size() > generators && generators >= kGrowthGenerators * components_;
+    const bool has_enough = is_topology && generators >= kGrowthGenerators * components_;
     const bool are_needles = first_events_ > kNeedleEventsPerFace * mesh_.face_count() + kRepairEvents;
-    if (are_needles && (result_.rounds > kNeedleRounds || is_everywhere)) return DecimationCause::work;
+    if (are_needles && (result_.rounds > kNeedleRounds || (has_enough && 2 * count_cells(defects) > generators)))
+      return DecimationCause::work;
     const std::int64_t most_events =
         kRepairDiagrams * first_events_ + kRepairEventsPerFace * mesh_.face_count() + kRepairEvents;
     if (result_.rounds - progress_round_ >= kStagnantRounds) return DecimationCause::work;
     const std::int32_t most_placements = is_assembly() ? kMaxAssemblyPlacements : kMaxPlacements;
     if (placements_ >= most_placements || events_ - earlier_events_ > most_events) return DecimationCause::work;
     const bool has_grown = result_.rounds >= kGrowthRound && 2 * defects.size() > 3 * history_.front().second;
-    return has_grown && is_everywhere ? std::optional(DecimationCause::growth) : std::nullopt;
+    return has_enough && has_grown && 2 * defects.size() > generators ? std::optional(DecimationCause::growth)
+                                                                      : std::nullopt;
+  }
+
+  /// The number of cells with a defect.
+  static std::size_t count_cells(const std::vector<DualDefect>& defects) {
+    std::set<GeneratorId> cells;
+    for (const DualDefect& d : defects) cells.insert(d.cells.begin(), d.cells.end());
+    return cells.size();
   }
 
   std::int32_t component_of(const DualDefect& defect) const {

@@ -12,8 +12,8 @@ namespace {
 
 /// Boxes follow the principal axes if they then have less than this fraction of their area, added up. Dimensionless.
 constexpr double kWorthTurning = 0.5;
-/// A box of turned corners is larger by this fraction of the largest norm of a vertex: twice the rounding of three
-/// products. Dimensionless.
+/// A box of turned corners is larger by this fraction of the largest norm of a vertex. Three products and their sum
+/// round by 1.5 units of it, and so does a query. Dimensionless.
 constexpr double kTurnRounding = 8 * std::numeric_limits<double>::epsilon();
 
 /// The sum of the areas of the faces' boxes, up to a factor.

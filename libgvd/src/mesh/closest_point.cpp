@@ -35,10 +35,11 @@ constexpr std::int32_t kLeafFaces = 4;
 /// ever skipped.
 constexpr double kPruneSlack = 1e-12;
 
-/// The quick distance divides by the squared sine of the angle at a triangle's origin. If that is smaller than this,
-/// the origin is the corner with the largest sine, and where that is no larger, the distances from all sides count,
-/// too. In other triangles the foot has a relative rounding of at most 1e-9. Dimensionless.
-constexpr double kLeastSquareSine = 1e-6;
+/// The quick distance divides by the squared sine of the angle at a triangle's origin, taken from squares of sides.
+/// Down to this value the foot has a relative rounding of about 1e-11. The origin of a thinner triangle is the corner
+/// with the largest sine. If that is smaller as well, the foot comes from cross products, whose rounding grows as the
+/// inverse of the sine and not of its square. Dimensionless.
+constexpr double kLeastSquareSine = 1e-4;
 
 struct ClosestOnFace {
   Bary bary{1, 0, 0};
@@ -104,7 +105,7 @@ struct LongTriangle {
       box.extend(at < foot ? Vec3(start + at / foot * (apex - start))
                            : Vec3(end + (foot < 1 ? (1 - at) / (1 - foot) : 0.0) * (apex - end)));
     }
-    if (from < foot && foot < to) box.extend(apex);
+    if (from <= foot && foot <= to) box.extend(apex);
     const double rounding = kSliceRounding * std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff());
     box.extend(box.min() - Vec3::Constant(rounding));
     box.extend(box.max() + Vec3::Constant(rounding));
@@ -236,8 +237,7 @@ ClosestPointTree::Triangle ClosestPointTree::make_triangle(FaceId f) const {
     const double uu = u.squaredNorm(), uv = u.dot(v), vv = v.squaredNorm(), determinant = uu * vv - uv * uv;
     const double square_sine = determinant > 0 ? determinant / (uu * vv) : 0;
     if (k > 0 && !(square_sine > largest)) continue;
-    const bool is_thin = !(square_sine > kLeastSquareSine);
-    best = {origin, u, v, uu, uv, vv, is_thin ? -determinant : determinant};
+    best = {origin, u, v, uu, uv, vv, square_sine > kLeastSquareSine ? determinant : 0};
     largest = square_sine;
   }
   return best;
@@ -265,22 +265,22 @@ void ClosestPointTree::build(std::int32_t first, std::int32_t count, Entries& en
 double ClosestPointTree::square_distance(const Triangle& t, const Vec3& query) {
   const Vec3 to = query - t.origin;
   const double pu = t.u.dot(to), pv = t.v.dot(to);
-  const double weight_u = pu * t.vv - pv * t.uv, weight_v = pv * t.uu - pu * t.uv;
-  const auto inside = [&](double determinant) {
+  double determinant = t.determinant, weight_u = pu * t.vv - pv * t.uv, weight_v = pv * t.uu - pu * t.uv;
+  if (!(determinant > 0)) [[unlikely]] {
+    const Vec3 normal = t.u.cross(t.v);
+    determinant = normal.squaredNorm();
+    weight_u = to.cross(t.v).dot(normal);
+    weight_v = t.u.cross(to).dot(normal);
+  }
+  if (weight_u > 0 && weight_v > 0 && weight_u + weight_v < determinant) {
     return (to - (weight_u / determinant) * t.u - (weight_v / determinant) * t.v).squaredNorm();
-  };
-  const auto beside = [&](double along, const Vec3& side) { return (to - along * side).squaredNorm(); };
-  if (weight_u > 0 && weight_v > 0 && weight_u + weight_v < t.determinant) return inside(t.determinant);
-  const bool is_thin = t.determinant <= 0;
+  }
   double least = kInfinity;
-  if (is_thin || !(weight_v > 0)) least = beside(clamp_ratio(pu, t.uu), t.u);
-  if (is_thin || !(weight_u > 0)) least = std::min(least, beside(clamp_ratio(pv, t.vv), t.v));
-  if (!(weight_u + weight_v < t.determinant)) {
+  if (!(weight_v > 0)) least = (to - clamp_ratio(pu, t.uu) * t.u).squaredNorm();
+  if (!(weight_u > 0)) least = std::min(least, (to - clamp_ratio(pv, t.vv) * t.v).squaredNorm());
+  if (!(weight_u + weight_v < determinant)) {
     const double along = clamp_ratio(pv - pu + t.uu - t.uv, t.uu - 2 * t.uv + t.vv);
     least = std::min(least, (to - t.u - along * (t.v - t.u)).squaredNorm());
-  }
-  if (is_thin && weight_u > 0 && weight_v > 0 && weight_u + weight_v < -t.determinant) {
-    least = std::min(least, inside(-t.determinant));
   }
   return least;
 }

@@ -447,7 +447,7 @@ class DistanceMeasure {
   }
 
   /// The middle of two corners. If a face is found that is nearer than half of the largest distance, no nearer one is
-  /// looked for: pieces of that size round it are given up anyway.
+  /// looked for: once pieces round it are as small as that, they hold no farther point by their size alone.
   Sample middle(const Sample& a, const Sample& b, Findings& found) const {
     const Vec3 at = (a.position + b.position) / 2;
     const NearestFace near = walk(at, a.nearest);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gvd/diagram.hpp"
@@ -157,6 +158,9 @@ struct NarrowTip {
   double angle = 0;           ///< total angle, radians
   double least_distance = 0;  ///< from the tip, mesh units: farther away there is room for three generators
 };
+
+/// What a refusal says of a narrow tip, with advice.
+std::string describe(const Mesh& mesh, const NarrowTip& narrow);
 
 /// Finds generators that divide a cell round a tip.
 ///

@@ -5,8 +5,12 @@
 // lines from the tip; an exact field of distances from the tips checks that these are shortest paths. At a very sharp
 // tip the circle is too short for three generators: such a tip is reported as narrow.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <string>
 
 #include "base/least.hpp"
 #include "gvd/geodesic_tracing.hpp"
@@ -159,6 +163,21 @@ std::optional<SurfacePoint> TipRings::follow(GeneratorId source, const Vec2& tan
   const auto [distance, nearest] = field_->nearest(line.points.back());
   if (!line.complete || nearest != source || distance < (1 - kStraightTolerance) * tangent.norm()) return std::nullopt;
   return line.points.back();
+}
+
+std::string describe(const Mesh& mesh, const NarrowTip& narrow) {
+  const Vec3& at = mesh.position(narrow.tip);
+  const std::string advice =
+      narrow.least_distance < mesh.bbox_diagonal()
+          ? fmt::format(
+                "no generator may be nearer to it than {:.3g}; choose others, by another list, \1count\2 or "
+                "\1seed\2",
+                narrow.least_distance)
+          : "cut the surface off there";
+  return fmt::format(
+      "the total angle of vertex {} at ({:.6g}, {:.6g}, {:.6g}) is {:.3g} degrees, and three generators "
+      "round it would be too close to each other; {}",
+      narrow.tip.value(), at.x(), at.y(), at.z(), narrow.angle * 180 / std::numbers::pi, advice);
 }
 
 }  // namespace gvd
