@@ -36,7 +36,7 @@ struct NearestFace {
 };
 
 /// Finds the point of a mesh that is closest to a query, with a tree of bounding boxes that are split at the median of
-/// their longest axis.
+/// their longest axis. Needles are in it slice by slice.
 ///
 /// The tree refers to the mesh, which must outlive it. Cost: O(n log n) to build, O(log n) for a query near the
 /// surface; 180 bytes a face or slice of a needle, of which there are at most five times as many as faces.
@@ -61,7 +61,7 @@ class ClosestPointTree {
   double distance(const Vec3& query, FaceId f) const { return std::sqrt(square_distance(triangle(f), query)); }
 
  private:
-  /// A face as its corner 0 and the two sides that leave it, with the products of these sides.
+  /// A face as a corner and the two sides that leave it, with the products of these sides.
   struct Triangle {
     Vec3 origin, u, v;
     double uu = 0, uv = 0, vv = 0;

@@ -1,8 +1,8 @@
 // Finds the point of a surface that is closest to a point in space.
 //
 // The search uses a tree of bounding boxes, which halves the faces at the median of their centres along the longest
-// axis of their box. Its leaves have at most four faces. A search visits the nearer box first, with the nearest face as
-// a first bound.
+// axis of their box. Its leaves have at most four entries: faces, or slices of them. A search visits the nearer box
+// first, with the nearest face as a first bound.
 //
 // A needle that is oblique to the axes has a box that is far larger than itself: among thousands of them, each query
 // lies in nearly all boxes. So the tree holds a needle as several slices with a box each; a slice that is visited
@@ -74,14 +74,14 @@ ClosestOnFace closest_inside(const std::array<Vec3, 3>& corners, const Vec3& que
 /// A slice of a needle is at least this many times as long as the needle is high. A slice of that shape fills its box
 /// well enough. Dimensionless.
 constexpr double kLeastSliceLength = 2;
-/// Slices are at least as long as the mean of the longest sides of all faces, times this. So there are at most 1 / this
-/// times as many more slices as there are faces. Dimensionless.
+/// Slices are at least this fraction of the mean of the longest sides of all faces, so that the inverse of it times the
+/// number of faces bounds the number of slices. Dimensionless.
 constexpr double kLeastSliceShare = 0.25;
 /// The corners of a slice are computed; a slice's box is larger by this fraction of the largest coordinate of its
 /// corners: four units of it, where each coordinate has a rounding of two. Dimensionless.
 constexpr double kSliceRounding = 4 * std::numeric_limits<double>::epsilon();
 
-/// A triangle from corner 0 of its longest side on, counter-clockwise.
+/// A triangle whose longest side is the one from its first corner to its second.
 struct LongTriangle {
   std::array<Vec3, 3> corners;
   double length = 0, height = 0;  // of the longest side and above it; mesh units
